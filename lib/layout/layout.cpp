@@ -24,7 +24,7 @@ public:
 
     Layout build(std::span<const Track> tracks) {
         for (const Track& track : tracks)
-            addTrack(track, false);
+            add({.track = track});
         requireBorderAtEveryExtraordinaryVertex();
         std::vector<FaceId> faces;
         for (const FaceId face : mesh_.faces())
@@ -47,8 +47,8 @@ public:
     }
 
 private:
-    void addTrack(const Track& track, bool transversal) {
-        for (const HalfedgeId halfedge : track.halfedges) {
+    void add(const LayoutTrack& added) {
+        for (const HalfedgeId halfedge : added.track.halfedges) {
             if (borders_.isBorder(halfedge))
                 throw Error("edge " + std::to_string(mesh_.from_vertex_handle(halfedge).idx()) + " " +
                                 std::to_string(mesh_.to_vertex_handle(halfedge).idx()),
@@ -56,8 +56,8 @@ private:
                             "Take one of them out");
             borders_.add(halfedge);
         }
-        layout_.tracks.push_back({track, transversal});
-        if (!transversal) layout_.cost += track.cost;
+        layout_.tracks.push_back(added);
+        if (!added.transversal) layout_.cost += added.track.cost;
     }
 
     /// A region without extraordinary vertices inside and without reflex corners is a grid with four corners,
@@ -70,19 +70,16 @@ private:
                             "The tracks are no motorcycle graph: search again");
     }
 
-    void addPath(const std::vector<HalfedgeId>& path, bool transversal) {
-        addTrack(trackOf(mesh_, path, edgeCosts_), transversal);
-    }
-
     /// Cuts a region that has no corners: an annulus or a torus.
     /// \return false if it needs no cut
     bool split(const Region& region) {
         const bool ring = region.loops.size() == 2 && isRing(region.loops[0]) && isRing(region.loops[1]);
         if (!ring && !region.loops.empty()) return false;
         if (hasNoTrack(region))
-            addPath(seedLine(mesh_, region.faces, dihedralAngles_), false);
+            add({.track = trackOf(mesh_, seedLine(mesh_, region.faces, dihedralAngles_), edgeCosts_)});
         else
-            addPath(cheapestTransversal(region.loops.front()), true);
+            add({.track = trackOf(mesh_, cheapestTransversal(region.loops.front()), edgeCosts_),
+                 .transversal = true});
         return true;
     }
 

@@ -50,12 +50,11 @@ std::optional<double> angleOfCorners(const VertexFan& fan, const Sector& sector,
     return angle > minAngle ? std::optional(angle) : std::nullopt;
 }
 
-/// The direction in which a patch leaves the vertex across the border on its one side: along its other side,
-/// or, if its side passes straight through, along the mesh edge between its two faces.
-Point inward(const QuadMesh& mesh, const VertexFan& fan, std::size_t patch, bool fromNext) {
-    const std::size_t count = fan.borders.size();
-    if (fan.faces[patch] == 1)
-        return mesh.calc_edge_vector(fan.borders[fromNext ? patch : (patch + 1) % count]);
+/// The direction in which a patch leaves the vertex and a border on one side of it: along the border on its
+/// other side, or, if its side passes straight through, along the mesh edge between its two faces.
+Point awayFrom(std::size_t border, const QuadMesh& mesh, const VertexFan& fan, std::size_t patch) {
+    const std::size_t next = (patch + 1) % fan.borders.size();
+    if (fan.faces[patch] == 1) return mesh.calc_edge_vector(fan.borders[border == patch ? next : patch]);
     return mesh.calc_edge_vector(mesh.ccw_rotated_halfedge_handle(fan.borders[patch]));
 }
 
@@ -64,7 +63,7 @@ double measuredRatio(const QuadMesh& mesh, const VertexFan& fan, std::size_t bor
     const std::size_t count = fan.borders.size();
     const Point on = mesh.calc_edge_vector(fan.borders[border]);
     const Point sum =
-        inward(mesh, fan, border, false) + inward(mesh, fan, (border + count - 1) % count, true);
+        awayFrom(border, mesh, fan, border) + awayFrom(border, mesh, fan, (border + count - 1) % count);
     constexpr double max = 1.8; // below 2, which no regular spread of edges reaches
     const double length = on.sqrnorm();
     return length > 0 ? std::clamp((sum | on) / length, -max, max) : 0;

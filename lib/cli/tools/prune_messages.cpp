@@ -15,11 +15,9 @@ double objectiveOf(const PruneOptions& options, const Layout& layout) {
     return layout.cost + (std::isfinite(options.maxSegments) ? 0 : options.beta * segments);
 }
 
-/// The distance from a proof, with three decimals, which suffice to judge it.
-/// \return "proven", or by how much the layout may be above the best
-std::string proofText(bool proven, double objective, double bound) {
-    if (proven) return "proven";
-    const double digits = 1000;
+/// By how much a layout may be above the best, with three decimals, which suffice to judge it.
+std::string distanceText(double objective, double bound) {
+    constexpr double digits = 1000;
     return "at most " + numberText(std::ceil((objective - bound) * digits) / digits) + " above the best";
 }
 
@@ -28,12 +26,13 @@ std::string proofText(bool proven, double objective, double bound) {
 void reportProofs(const Tool& tool, const PruneOptions& options, const PruneResult& pruned) {
     if (options.method == PruneMethod::optimum && !pruned.proven)
         tool.warnOfInput("the search was ended early; the layout is " +
-                         proofText(false, objectiveOf(options, pruned.layout), *pruned.objectiveBound));
+                         distanceText(objectiveOf(options, pruned.layout), *pruned.objectiveBound));
     for (const FrontPoint& point : pruned.front)
         tool.note("front: beta " + numberText(point.beta) + ", " + std::to_string(point.segments) +
                   " segments, G_T " + numberText(point.cost) + ", " +
-                  proofText(point.proven, point.cost + point.beta * static_cast<double>(point.segments),
-                            point.objectiveBound));
+                  (point.proven ? "proven"
+                                : distanceText(point.cost + point.beta * static_cast<double>(point.segments),
+                                               point.objectiveBound)));
     const auto open = std::ranges::count(pruned.front, false, &FrontPoint::proven);
     if (open > 0)
         tool.warnOfInput("the search was ended early; " + std::to_string(open) + " of " +

@@ -68,8 +68,8 @@ BranchingChoice Branching::probe(ColumnId column, double value, double bound, do
     double growthIn = 0, growthOut = 0;
     choice.boundIn = probeSide(column, ArcState::in, bound, growthIn);
     choice.boundOut = probeSide(column, ArcState::out, bound, growthOut);
-    if (choice.boundIn < infinity) pseudoCosts_.learn(column, true, 1 - value, growthIn);
-    if (choice.boundOut < infinity) pseudoCosts_.learn(column, false, value, growthOut);
+    if (choice.boundIn < infinity) pseudoCosts_.learn(column, ArcState::in, 1 - value, growthIn);
+    if (choice.boundOut < infinity) pseudoCosts_.learn(column, ArcState::out, value, growthOut);
     score = scoreOf(growthIn, growthOut);
     return choice;
 }

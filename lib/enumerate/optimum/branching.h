@@ -15,8 +15,11 @@ class PseudoCosts {
 public:
     explicit PseudoCosts(const ColumnValues& costs) : up_(costs.size()), down_(costs.size()) {}
 
-    void learn(ColumnId column, bool up, double distance, double growth) {
-        Mean& mean = (up ? up_ : down_)[column];
+    /// \param side      the value that the column was fixed to: up to `in`, or down to `out`
+    /// \param distance  how far it was moved
+    /// \param growth    of the bound
+    void learn(ColumnId column, ArcState side, double distance, double growth) {
+        Mean& mean = (side == ArcState::in ? up_ : down_)[column];
         const double rate = std::max(growth, 0.0) / std::max(distance, BranchingTuning::minDistance);
         for (Mean* each : {&mean, &all_}) {
             each->sum += rate;

@@ -41,32 +41,38 @@ bool fixSurest(PartSearch& part) {
     return fixed > 0;
 }
 
-/// Assigns the relaxed value of a variable if it is integral.
+/// Which values of the relaxed solution are taken over.
+enum class TakenOver {
+    integral, ///< all that are
+    asInBest  ///< those that are integral and agree with the best graph
+};
+
+/// Assigns the relaxed value of a variable if it is one of those.
 /// \return whether the variable has a value now
-bool takeOver(PartSearch& part, VariableId variable, bool keepBest) {
+bool takeOver(PartSearch& part, VariableId variable, TakenOver values) {
     const double value = part.present(variable);
     if (isFractional(value)) return false;
     const bool in = value > 0.5;
-    if (keepBest && (part.incumbents.graphs().begin()->second[variable] == 1) != in) return false;
+    if (values == TakenOver::asInBest && (part.incumbents.graphs().begin()->second[variable] == 1) != in)
+        return false;
     const SearchState::Mark before = part.state.mark();
     if (part.state.assign(variable, in ? ArcState::in : ArcState::out)) return true;
     part.state.undo(before);
     return false;
 }
 
-/// Assigns all values that are integral in the relaxed solution; with `keepBest`, only those that agree with
-/// the best graph.
 /// \return the number of variables that are still free
-std::size_t takeOverAll(PartSearch& part, bool keepBest) {
+std::size_t takeOverAll(PartSearch& part, TakenOver values) {
     std::size_t open = 0;
     for (const VariableId variable : part.variables)
-        if (part.state.isFree(variable) && !takeOver(part, variable, keepBest)) ++open;
+        if (part.state.isFree(variable) && !takeOver(part, variable, values)) ++open;
     return open;
 }
 
-/// Searches for the best values of all variables that are free, part by part.
+/// Searches for the best values of all variables that are free, part by part; if others agree with the best
+/// graph, it is a graph to begin with.
 /// \return false if there are none
-bool searchRest(PartSearch& part, bool keepBest) {
+bool searchRest(PartSearch& part, TakenOver values) {
     std::vector<VariableId> rest;
     for (const VariableId variable : part.variables)
         if (part.state.isFree(variable)) rest.push_back(variable);
@@ -78,7 +84,7 @@ bool searchRest(PartSearch& part, bool keepBest) {
             options.work = part.options.work - std::min(part.work(), part.options.work);
             options.hard = never;
             BranchAndBound search(part.state, piece, options, part.control);
-            if (keepBest) search.offer(part.incumbents.graphs().begin()->second);
+            if (values == TakenOver::asInBest) search.offer(part.incumbents.graphs().begin()->second);
             search.run();
             part.workElsewhere += search.work();
             if (search.incumbents().empty()) return false;
@@ -107,7 +113,8 @@ void dive(PartSearch& part) {
 void diveToRest(PartSearch& part) {
     while (!part.isOver()) {
         const ColumnState::Mark mark = part.columns.mark();
-        const bool found = takeOverAll(part, false) <= Tuning::smallRest && searchRest(part, false);
+        const bool found = takeOverAll(part, TakenOver::integral) <= Tuning::smallRest &&
+                           searchRest(part, TakenOver::integral);
         if (found) part.recordLeaf();
         part.columns.undo(mark);
         if (found || !fixSurest(part) ||
@@ -120,8 +127,9 @@ void diveToRest(PartSearch& part) {
 void searchNearby(PartSearch& part) {
     if (part.incumbents.empty()) return;
     const ColumnState::Mark mark = part.columns.mark();
-    const std::size_t open = takeOverAll(part, true);
-    if (open <= Tuning::largeRest && 2 * open < part.variables.size() && searchRest(part, true))
+    const std::size_t open = takeOverAll(part, TakenOver::asInBest);
+    if (open <= Tuning::largeRest && 2 * open < part.variables.size() &&
+        searchRest(part, TakenOver::asInBest))
         part.recordLeaf();
     part.columns.undo(mark);
 }

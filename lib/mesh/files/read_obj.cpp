@@ -11,11 +11,12 @@ namespace {
 
 class ObjReader {
 public:
-    ObjReader(std::string_view text, std::size_t sides) : lines_(text), sides_(sides) {}
+    ObjReader(std::string_view text, std::size_t sides)
+        : lines_(text, Backslash::joinsLines), sides_(sides) {}
 
     Soup read() {
         soup_.firstIndex = 1;
-        while (lines_.nextLine(true)) {
+        while (lines_.nextLine()) {
             const std::string_view keyword = lines_.word();
             if (keyword == "v") readPoint();
             if (keyword == "f") readFace();

@@ -14,23 +14,26 @@ namespace qm {
 /// What to do about a file that ends too early.
 constexpr const char* cutOffHint = "The file seems to be cut off. Use a complete copy";
 
+/// What a backslash at the end of a line means.
+enum class Backslash { character, joinsLines };
+
 /// Walks through a text. Lines end with LF, CRLF or CR, whichever ends the first line; '#' begins a comment.
 class TextLines {
 public:
-    explicit TextLines(std::string_view text) : rest_(text), lineEnd_(lineEndOf(text)) {}
+    explicit TextLines(std::string_view text, Backslash backslash = Backslash::character)
+        : rest_(text), lineEnd_(lineEndOf(text)), backslash_(backslash) {}
 
     /// Goes to the next line; after the last one follows an empty line.
-    /// \param continued  whether a backslash at its end joins it with the line after it
-    bool nextLine(bool continued = false) {
+    bool nextLine() {
         const bool found = !rest_.empty();
-        takeLine(continued);
+        takeLine();
         return found;
     }
 
     /// The next word of this line; empty at its end.
     std::string_view word() {
         while (lineIsEmpty() && joined_ && !rest_.empty())
-            takeLine(true);
+            takeLine();
         std::size_t length = 0;
         while (length < line_.size() && !isBlank(line_[length]))
             ++length;
@@ -71,7 +74,7 @@ private:
         return returnAlone ? '\r' : '\n';
     }
 
-    void takeLine(bool continued) {
+    void takeLine() {
         if (!rest_.empty()) ++number_;
         const std::size_t end = rest_.find(lineEnd_);
         unfinished_ = end == std::string_view::npos;
@@ -80,7 +83,7 @@ private:
         line_ = line_.substr(0, line_.find('#'));
         while (!line_.empty() && isBlank(line_.back()))
             line_.remove_suffix(1);
-        joined_ = continued && line_.ends_with('\\');
+        joined_ = backslash_ == Backslash::joinsLines && line_.ends_with('\\');
         if (joined_) line_.remove_suffix(1);
     }
 
@@ -88,6 +91,7 @@ private:
     std::string_view line_;
     std::uint32_t number_ = 0;
     char lineEnd_;
+    Backslash backslash_;
     bool joined_ = false;
     bool unfinished_ = false;
 };
