@@ -5,7 +5,8 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
-#include <utility>
+#include <optional>
+#include <span>
 
 namespace qm {
 namespace {
@@ -66,13 +67,24 @@ std::vector<bool> meetingPoints(const QuadMesh& mesh, const Layout& layout,
     return result;
 }
 
+/// The edge that some border edges are, without its places.
+SharedEdge edgeAlong(std::span<const std::size_t> borders, const std::vector<Difference>& differences,
+                     VertexId start, VertexId end) {
+    SharedEdge edge{{}, static_cast<int>(borders.size()), start, end};
+    for (const std::size_t border : borders) {
+        edge.gap = std::max(edge.gap, differences[border].gap);
+        edge.angle = std::max(edge.angle, differences[border].angle);
+    }
+    return edge;
+}
+
 /// Cuts every side where borders meet. The first patch that comes along makes the edge.
 SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
     const auto borders = borderEdges(mesh, layout);
     const auto numbers = borderNumbers(layout, borders);
     const auto difference = differences(layout, patches, borders);
     const auto meets = meetingPoints(mesh, layout, borders, difference);
-    std::vector<std::ptrdiff_t> edgeOf(borders.size(), -1);
+    std::vector<std::optional<std::size_t>> edgeOf(borders.size());
     SharedEdges result;
     result.ofPatch.resize(layout.segments.size());
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
@@ -81,19 +93,16 @@ SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout, const std::vect
             const auto& vertices = layout.segments[s].sides[at(side)];
             for (std::size_t begin = 0, end = 1; end < vertices.size(); ++end) {
                 if (!meets[at(vertices[end])]) continue;
-                const bool made = edgeOf[line[begin]] >= 0;
-                if (!made) {
-                    SharedEdge edge{{}, static_cast<int>(end - begin), vertices[begin], vertices[end]};
-                    for (std::size_t k = begin; k < end; ++k) {
-                        edgeOf[line[k]] = static_cast<std::ptrdiff_t>(result.edges.size());
-                        edge.gap = std::max(edge.gap, difference[line[k]].gap);
-                        edge.angle = std::max(edge.angle, difference[line[k]].angle);
-                    }
-                    result.edges.push_back(std::move(edge));
+                const auto run = std::span(line).subspan(begin, end - begin);
+                const bool isNew = !edgeOf[run.front()];
+                if (isNew) {
+                    for (const std::size_t border : run)
+                        edgeOf[border] = result.edges.size();
+                    result.edges.push_back(edgeAlong(run, difference, vertices[begin], vertices[end]));
                 }
-                const std::size_t edge = at(edgeOf[line[begin]]);
+                const std::size_t edge = *edgeOf[run.front()];
                 result.edges[edge].places.push_back({s, side, static_cast<int>(begin)});
-                result.ofPatch[s].push_back({edge, !made});
+                result.ofPatch[s].push_back({edge, isNew});
                 begin = end;
             }
         }

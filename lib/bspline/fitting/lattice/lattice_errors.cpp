@@ -74,6 +74,49 @@ double meanDistance(const FitLattice& lattice, const std::vector<SurfacePoint>& 
     return weights > 0 ? sum / weights : 0;
 }
 
+struct SlideLimits {
+    double edges = 1; ///< the largest slide along the reference, in the reference's edges
+    double mean = 0;  ///< distance of the patch from the reference, from which slides along the normal count
+    double slack = 0; ///< the largest slide along the normal
+};
+
+/// From the reference's point: where a target is to be, and where it goes in the direction in which it moves.
+struct Slide {
+    Point slide{0, 0, 0};
+    Point ahead{0, 0, 0};
+};
+
+Slide slideOf(const FitLattice& lattice, std::size_t k, const SurfacePoint& point,
+              const SlideLimits& limits) {
+    // Enough for slides to converge in a few steps, but not so much that they oscillate.
+    constexpr double momentum = 0.8;
+    // Draws targets back to the reference's parameters where nothing else determines them.
+    constexpr double anchor = 0.01;
+    // The same along the normal: waves are much stiffer than this, the shapes of whole parts much softer.
+    constexpr double restoring = 0.15;
+    const bool onCrease = lattice.freedom[k] == Freedom::crease;
+    const Point axis = onCrease ? meanDirection(lattice, k, point) : meanNormal(lattice, k, point);
+    if (!((lattice.axes[k] | axis) >= minCosine)) return {};
+    const auto allowed = [&](const Point& vector) {
+        const Point along = axis * (vector | axis);
+        return onCrease ? along : vector - along;
+    };
+    const Point offset = point.position - lattice.reference[k];
+    Point slide = (1 - anchor) * allowed(offset);
+    const double limit = limits.edges * lattice.edge[k];
+    const double length = slide.norm();
+    if (length > limit) slide *= limit / length;
+    Point ahead = slide + momentum * allowed(slide - lattice.slides[k]);
+    if (onCrease) return {slide, ahead};
+    const double ofPoint = limits.slack / lattice.emphasis[k];
+    const auto within = [&](double distance) { return std::clamp(distance, -ofPoint, ofPoint); };
+    const double distance = within((1 - restoring) * ((offset | axis) - limits.mean));
+    const double change = distance - (lattice.slides[k] | axis);
+    slide += distance * axis;
+    ahead += within(distance + momentum * change) * axis;
+    return {slide, ahead};
+}
+
 } // namespace
 
 double PatchErrors::max() const {
@@ -121,52 +164,23 @@ PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double 
 }
 
 void slideTargets(const Patch& patch, double slack, FitLattice& lattice) {
-    // Enough for slides to converge in a few steps, but not so much that they oscillate.
-    constexpr double momentum = 0.8;
-    // Draws targets back to the reference's parameters where nothing else determines them.
-    constexpr double anchor = 0.01;
-    // The same along the normal: waves are much stiffer than this, the shapes of whole parts much softer.
-    constexpr double restoring = 0.15;
     // Targets slide by one edge at most, or by this share of the patch's shorter side: where the mesh's lines
     // turn all at once, such as around a hole in a plate, it takes the more of its edges to turn gently the
     // finer the mesh is.
     constexpr double slideShare = 0.25;
     const auto& parameters = lattice.targets.parameters;
-    const double maxSlide = // relative to the reference's edges
-        std::max(1.0, slideShare * std::min(parameters[0].back(), parameters[1].back()));
     const auto points = pointsOf(patch, lattice);
     std::vector<bool> areFolded(points.size());
     for (std::size_t k = 0; k < points.size(); ++k)
         areFolded[k] = isFolded(lattice, k, points[k]);
     holdAroundFolds(areFolded, lattice);
-    const double mean = slack > 0 ? meanDistance(lattice, points) : 0;
+    const SlideLimits limits{
+        .edges = std::max(1.0, slideShare * std::min(parameters[0].back(), parameters[1].back())),
+        .mean = slack > 0 ? meanDistance(lattice, points) : 0,
+        .slack = slack};
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (lattice.isHeld[k] || lattice.freedom[k] == Freedom::corner) continue;
-        const bool onCrease = lattice.freedom[k] == Freedom::crease;
-        const Point axis =
-            onCrease ? meanDirection(lattice, k, points[k]) : meanNormal(lattice, k, points[k]);
-        const auto allowed = [&](const Point& vector) {
-            const Point along = axis * (vector | axis);
-            return onCrease ? along : vector - along;
-        };
-        Point slide(0, 0, 0);
-        Point ahead(0, 0, 0);
-        if ((lattice.axes[k] | axis) >= minCosine) {
-            const Point offset = points[k].position - lattice.reference[k];
-            slide = (1 - anchor) * allowed(offset);
-            const double limit = maxSlide * lattice.edge[k];
-            const double length = slide.norm();
-            if (length > limit) slide *= limit / length;
-            ahead = slide + momentum * allowed(slide - lattice.slides[k]);
-            if (!onCrease) {
-                const double ofPoint = slack / lattice.emphasis[k];
-                const auto within = [&](double distance) { return std::clamp(distance, -ofPoint, ofPoint); };
-                const double distance = within((1 - restoring) * ((offset | axis) - mean));
-                const double change = distance - (lattice.slides[k] | axis);
-                slide += distance * axis;
-                ahead += within(distance + momentum * change) * axis;
-            }
-        }
+        const auto [slide, ahead] = slideOf(lattice, k, points[k], limits);
         lattice.slides[k] = slide;
         lattice.targets.points[k] = lattice.reference[k] + ahead;
     }
