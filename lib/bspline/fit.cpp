@@ -29,9 +29,9 @@ void requireValid(const FitOptions& options) {
     if (!(options.rho >= 0)) throw Error("rho", "must not be negative", "Give an angle in radians");
 }
 
-/// How finely the fit of meshes of a size is sampled, and how long it is worked at: large ones have short
-/// edges, and are to be done in time linear in their size. The fit's lattice has four steps between any two
-/// knots in any case.
+/// How finely meshes are sampled, and how long their fit may take. Large ones are sampled less finely, as
+/// their edges are short, and are fitted in time linear in their size. There are four lattice steps between
+/// any two knots whatever the mesh.
 SmoothFitOptions effortFor(const QuadMesh& mesh) {
     constexpr std::size_t several = 8'000;
     constexpr std::size_t many = 30'000;
@@ -104,7 +104,7 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
     effort.tolerance = shareAtPoints * allowed;
     if (reference.target.noise > 0 && effort.slack > 0) effort.slack = slackInNoise;
     effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
-    const QuadMesh& upright = reference.improved ? *reference.improved : mesh;
+    const QuadMesh& upright = reference.meshOf(mesh);
     if (effort.restarts)
         return fitCentred({upright, layout, reference.network, reference.target, verify}, effort, control);
 

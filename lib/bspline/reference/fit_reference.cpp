@@ -40,9 +40,8 @@ void improve(const QuadMesh& mesh, const Layout& layout, double rho, unsigned jo
             buildNetwork(*reference.improved, layout, qm::dihedralAngles(*reference.improved), rho);
     };
     replace(bridgedMesh(mesh, reference.network.marks.isCrease));
-    const QuadMesh& upright = reference.improved ? *reference.improved : mesh;
     const double flatness = maxFlatness * boundingBox(mesh).diagonal();
-    replace(evenedMesh(upright, reference.network.marks.isCrease, flatness, jobs));
+    replace(evenedMesh(reference.meshOf(mesh), reference.network.marks.isCrease, flatness, jobs));
 }
 
 } // namespace
@@ -53,8 +52,7 @@ FitReference fitReference(const QuadMesh& mesh, const Layout& layout,
     FitReference reference;
     reference.network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
     if (options.improves) improve(mesh, layout, options.rho, jobs, reference);
-    const QuadMesh& upright = reference.improved ? *reference.improved : mesh;
-    reference.target = fitTarget(upright, layout, reference.network, scan, jobs);
+    reference.target = fitTarget(reference.meshOf(mesh), layout, reference.network, scan, jobs);
     return reference;
 }
 

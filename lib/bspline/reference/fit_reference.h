@@ -20,6 +20,10 @@ struct FitReference {
     std::optional<QuadMesh> improved; ///< replaces the mesh if vertices were moved
     SmoothNetwork network;
     FitTarget target;
+
+    /// The mesh that network and target are of.
+    /// \param mesh  what they were made from
+    [[nodiscard]] const QuadMesh& meshOf(const QuadMesh& mesh) const { return improved ? *improved : mesh; }
 };
 
 struct ReferenceOptions {
