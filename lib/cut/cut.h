@@ -33,8 +33,8 @@ struct CutOptions {
 
 struct SubMesh {
     double quasiComplexity = 0; ///< U = sum over its particles of log2(candidate stops)
-    std::size_t ordinaryJunctions =
-        0; ///< n_j among separatrices that start inside, up to the first vertex outside
+    /// n_j among separatrices that start inside, up to the first vertex outside.
+    std::size_t ordinaryJunctions = 0;
     std::optional<VertexId> source; ///< terminals of the cut that made it; none if it was never cut
     std::optional<VertexId> sink;
 };

@@ -38,8 +38,8 @@ CutProblem Energy::operator()(const std::vector<VertexId>& vertices,
     CutProblem problem;
     for (std::size_t k = 0; k < vertices.size(); ++k)
         node_[at(vertices[k])] = static_cast<int>(k);
-    std::vector<double> nearness =
-        distances.between(terminals.source, vertices); // D(S, p); D(T, p) is 1 less this
+    // D(S, p); D(T, p) is 1 less this.
+    std::vector<double> nearness = distances.between(terminals.source, vertices);
     const std::vector<double> fromSink = distances.between(terminals.sink, vertices);
     for (std::size_t k = 0; k < vertices.size(); ++k) {
         const double fromSource = nearness[k], sum = fromSource + fromSink[k];

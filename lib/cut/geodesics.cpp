@@ -160,8 +160,8 @@ void Geodesics::reach(const Quad& quad, unsigned from, unsigned to) {
 /// axis, and finds the virtual source with the known distances to a and b. Infinity if the straight line from
 /// there does not pass between a and b, or is no shorter than the limit.
 double Geodesics::across(const Quad& quad, unsigned a, unsigned b, unsigned target, double limit) const {
-    constexpr double rounding =
-        1e-12; // of the squares below: what is no shorter by more may be dropped early
+    // Of the squares below: what is no shorter by more may be dropped early.
+    constexpr double rounding = 1e-12;
     const double length = quad.length(a, b), toA = quad.length(a, target), toB = quad.length(b, target);
     if (length == 0) return infinity;
     const double fromA = nodeAt(quad.corners[a]).distance, fromB = nodeAt(quad.corners[b]).distance;

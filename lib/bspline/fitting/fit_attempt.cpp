@@ -50,13 +50,13 @@ struct Hopeless {
 
 /// What a search remembers of its rounds.
 struct Rounds {
-    int idle = 0;                    ///< that have passed since one was kept
-    int halved = 0;                  ///< the one that has halved the distance for the last time, and
-    double distance = infinity;      ///< the distance then
-    double excess = infinity;        ///< of the last one
-    int removals = 0;                ///< of knots
-    int repairs = 0;                 ///< rounds since the last removal, and
-    double controlPoints = infinity; ///< their number before it
+    int idle = 0;                    ///< how many have passed since one was kept
+    int halved = 0;                  ///< the last one in which the largest distance had become half as large
+    double distance = infinity;      ///< the largest distance in that round
+    double excess = infinity;        ///< of the last round, see `FitState::excess`
+    int removals = 0;                ///< how often knots were removed
+    int repairs = 0;                 ///< rounds since the last removal
+    double controlPoints = infinity; ///< their number before the last removal
 };
 
 bool isAstrayFrom(const Fitted& before, const Fitted& found) {

@@ -17,8 +17,7 @@ namespace qm {
 /// The values by which rounds are compared.
 struct RoundScore {
     bool keeps = false; ///< whether the tolerance is kept, apart from cells that are given up
-    double missed =
-        0; ///< how much is missed in all, cells that are given up included; the largest counts most
+    double missed = 0;  ///< in all, cells that are given up included; the largest counts most
     std::size_t controlPoints = 0;
 
     bool operator==(const RoundScore&) const = default;
@@ -28,8 +27,8 @@ struct FitRound {
     RoundScore score;
     std::vector<Patch> patches; ///< empty before the first round
     std::optional<KnotPlan> plan;
-    std::vector<std::shared_ptr<const LatticeProgress>>
-        lattices;                      ///< by patch; shared between rounds, because they are large
+    /// By patch; shared between rounds, because they are large.
+    std::vector<std::shared_ptr<const LatticeProgress>> lattices;
     std::vector<GivenUpCells> givenUp; ///< by patch
     std::vector<double> distances;     ///< by patch, in tolerances, if they have been verified
 };

@@ -118,8 +118,8 @@ private:
     std::vector<NormalLimits> normalLimits_;
     std::vector<std::vector<ThinPlate>> plates_; ///< by patch and quad
     std::vector<FitLattice> lattices_;
-    std::vector<std::shared_ptr<const LatticeProgress>>
-        kept_; ///< by patch: a shared copy of its lattice's progress, if the lattice has not changed since
+    /// By patch: a shared copy of its lattice's progress, if the lattice has not changed since.
+    std::vector<std::shared_ptr<const LatticeProgress>> kept_;
     std::vector<PatchSpace> spaces_;
     std::vector<Patch> patches_;
     std::vector<PatchErrors> errors_;
@@ -127,9 +127,8 @@ private:
     std::vector<bool> reweighed_;       ///< by patch: whether weights have changed since the last solution
     std::vector<SmoothRun> solvedRuns_; ///< the runs with the tangent ratios of the last solution
     std::vector<PatchKnot> removed_;    ///< the last time, and not put back
-    std::vector<double>
-        missed_; ///< by patch: by how much its largest error exceeds 1, including what is given up
-    std::vector<double> scale_; ///< by patch: factor of its errors
+    std::vector<double> missed_;        ///< by patch: see `missedBy`; before anything is given up
+    std::vector<double> scale_;         ///< by patch: factor of its errors
     double worst_ = 0;
     double excess_ = 0;
 };

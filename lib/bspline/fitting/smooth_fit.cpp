@@ -9,7 +9,7 @@
 namespace qm {
 namespace {
 
-/// But for the uncertainty of a verification.
+/// Whether all patches are within the tolerance, but for the uncertainty of a verification.
 bool isNear(const Fitted& fitted) {
     constexpr double uncertain = 1.02;
     return fitted.farthest() <= uncertain;

@@ -17,8 +17,8 @@ using ParameterBox = std::array<std::array<double, 2>, 2>;
 struct BoxPiece {
     const BezierPiece& piece;    ///< over this part alone
     std::array<double, 2> width; ///< of the part, along u and v
-    std::array<std::array<bool, 2>, 2>
-        isAtEnd; ///< along u and v: whether it touches the first and the last side of the box
+    /// Along u and v: whether it touches the first and the last side of the box.
+    std::array<std::array<bool, 2>, 2> isAtEnd;
 };
 
 /// A part of a box that lies in one patch.

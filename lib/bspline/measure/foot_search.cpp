@@ -119,8 +119,8 @@ struct Walk {
             const double from = best.place.at[d];
             const double way = place.at[d] - from;
             if (way == 0) continue;
-            const double line =
-                std::floor(from) + (way > 0 ? 1 : 0); // a place on a line is in the quad beyond
+            // A place on a line is in the quad beyond.
+            const double line = std::floor(from) + (way > 0 ? 1 : 0);
             const double toLine = (line + std::copysign(just, way) - from) / way;
             if (toLine < share.value_or(1)) share = toLine;
         }

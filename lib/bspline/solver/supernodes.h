@@ -27,8 +27,8 @@ struct Supernode {
 struct Supernodes {
     std::vector<Supernode> nodes; ///< children before their parents
     std::vector<int> rows;        ///< of all supernodes one after another, ascending within each
-    std::vector<int>
-        inParent; ///< by row: its place in the parent's front, counting the parent's columns first
+    /// By row: its place in the parent's front, counting the parent's columns first.
+    std::vector<int> inParent;
     /// Groups of supernodes, numbers ascending. All groups but the last are whole subtrees and independent of
     /// one another; the last is the top of the tree. The division depends on the matrix alone.
     std::vector<std::vector<int>> parts;

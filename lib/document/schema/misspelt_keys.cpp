@@ -50,8 +50,8 @@ private:
                 walk(value[k], here.at("items"), pointer / k);
         if (!value.is_object() || !here.contains("properties")) return;
         const Json& known = here.at("properties");
-        std::optional<std::vector<std::string>>
-            missing; // found once, because finding a key takes linear time
+        // Found once, because finding a key takes linear time.
+        std::optional<std::vector<std::string>> missing;
         for (const auto& [key, member] : value.items())
             if (known.contains(key)) {
                 walk(member, known.at(key), pointer / key);

@@ -142,8 +142,7 @@ private:
     std::size_t maxNodes_;
     const Control& control_;
     std::vector<Step> steps_;
-    IdVector<VariableId, int>
-        stepOf_; ///< the step that decides a variable; -1 if it is the same in all graphs
+    IdVector<VariableId, int> stepOf_; ///< that decides a variable; -1 if it is the same in all graphs
     std::optional<DiagramBorder> border_;
     std::vector<KnownNodes> known_; ///< for every step, the nodes before it
     Diagram diagram_;

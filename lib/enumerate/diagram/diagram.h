@@ -19,8 +19,8 @@ struct Diagram {
 
     /// A decision. Nodes come after their successors.
     struct Node {
-        VariableId
-            variable; ///< none if the node decides the cover of a chain, which follows from the variables
+        /// None if the node decides the cover of a chain, which follows from the variables.
+        VariableId variable;
         NodeId in = none;
         NodeId out = none;
         double cost = 0; ///< added if the variable is in

@@ -73,8 +73,8 @@ public:
     void applyTo(Boundary& boundary, std::size_t face) const override {
         SimpleSurface turned = surface_;
         const gp_Ax1& axis = surface_.surface->Axis();
-        turned.surface = Handle(Geom_ElementarySurface)::DownCast(
-            surface_.surface->Rotated(axis, (minAngle_ + maxAngle_) / 2 - pi)); // the seam is opposite
+        const double opposite = (minAngle_ + maxAngle_) / 2 - pi; // where the seam is to be
+        turned.surface = Handle(Geom_ElementarySurface)::DownCast(surface_.surface->Rotated(axis, opposite));
         boundary.faces[face].surface = turned.surface;
         for (const auto& loop : boundary.faces[face].loops)
             for (const EdgeUse& use : loop) {

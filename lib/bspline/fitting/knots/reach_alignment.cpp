@@ -130,12 +130,12 @@ private:
     bool move(const RatioEnd& end) {
         use(end, reach(end), -1);
         double best = reach(end);
-        std::size_t least = cost(end, best);
+        std::size_t min = cost(end, best);
         for (const double candidate : candidates(end)) {
             const std::size_t points = cost(end, candidate);
-            if (points >= least || !isAllowed(end, candidate)) continue;
+            if (points >= min || !isAllowed(end, candidate)) continue;
             best = candidate;
-            least = points;
+            min = points;
         }
         const bool moves = best != reach(end);
         plan_.setReach(end.run, end.end, best);
@@ -148,8 +148,8 @@ private:
     double allowed_;
     std::map<RunEnd, EvenPlace> evenPlaces_;
     std::vector<PatchSpace> spaces_; ///< before
-    std::vector<std::array<std::map<double, int>, 2>>
-        users_; ///< by patch, direction and knot: how many reasons there are for it to be double
+    /// By patch, direction and knot: how many reasons there are for it to be double.
+    std::vector<std::array<std::map<double, int>, 2>> users_;
     std::vector<RatioEnd> ends_;
 };
 

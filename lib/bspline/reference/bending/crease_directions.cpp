@@ -16,12 +16,11 @@ struct Passage {
     /// Of the neighbours along both edges: their places in the list of passages, or none at an end of the
     /// curve.
     std::array<std::optional<std::size_t>, 2> neighbours;
-    std::array<double, 2> signs{1,
-                                1}; ///< -1 if the neighbour's derivative points the other way along the curve
-    std::array<double, 2> weights{}; ///< of the neighbours' derivatives
-    double weight = 0;               ///< of the vertex's own
-    Point side;                      ///< the equation's right-hand side
-    Point derivative;                ///< by length, into the first edge
+    std::array<double, 2> signs{1, 1}; ///< -1 if the neighbour's derivative points against the curve
+    std::array<double, 2> weights{};   ///< of the neighbours' derivatives
+    double weight = 0;                 ///< of the vertex's own
+    Point side;                        ///< the equation's right-hand side
+    Point derivative;                  ///< by length, into the first edge
 };
 
 class CreaseSpline {

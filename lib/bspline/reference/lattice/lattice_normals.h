@@ -15,8 +15,8 @@ namespace qm {
 
 struct LatticeNormals {
     std::vector<std::vector<std::size_t>> numbers; ///< by grid and point: the lattice point
-    std::vector<std::vector<std::optional<Eigen::Vector3d>>>
-        oneSided; ///< by grid and point, unit length; seen from that grid alone
+    /// By grid and point, unit length; seen from that grid alone.
+    std::vector<std::vector<std::optional<Eigen::Vector3d>>> oneSided;
     // By lattice point:
     std::vector<Eigen::Vector3d> points;
     /// Mean of the one-sided normals, unit length; none at sharp points, nor at points of no grid, such as
