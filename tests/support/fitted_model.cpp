@@ -1,5 +1,6 @@
 #include "support/fitted_model.h"
 
+#include "bspline/splines/spline_curve.h"
 #include "mesh/dihedral.h"
 
 #include <algorithm>
@@ -126,6 +127,25 @@ FitOptions interpolating() {
     FitOptions options;
     options.fit = Fit::interpolate;
     return options;
+}
+
+FittedModel bentSheet(Bend bend) {
+    const Grid grid{4, 2, [](double i, double j) { return Point(i, j, 0.1 * i * i); }};
+    FittedModel model = fitted(grid, {{0, 0, 4, 2}}, FitOptions());
+    Patch& patch = model.surfaces.patches[0];
+    Patch refined = patch;
+    refined.knots[0] = {0, 0, 0, 0, 1, 2, 2, 2, 3, 4, 4, 4, 4};
+    refined.controlPoints.clear();
+    for (auto row = patch.controlPoints.begin(); row != patch.controlPoints.end(); row += patch.count[0]) {
+        SplineCurve line = withKnots({patch.knots[0], {row, row + patch.count[0]}}, refined.knots[0]);
+        if (bend == Bend::sharp)
+            for (std::size_t k = 5; k < line.points.size(); ++k)
+                line.points[k][2] += line.points[k][0] - 2;
+        refined.controlPoints.insert(refined.controlPoints.end(), line.points.begin(), line.points.end());
+        refined.count[0] = static_cast<int>(line.points.size());
+    }
+    patch = refined;
+    return model;
 }
 
 FittedModel cup() {

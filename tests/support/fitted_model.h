@@ -42,6 +42,10 @@ struct FittedModel {
 /// A sheet whose side 0 is folded: both ends of the side are one line, and its middle is the rim of a hole.
 [[nodiscard]] Grid pocket();
 
+/// One patch on a sheet, with knots at a grid line that allow a sharp bend there.
+enum class Bend { sharp, none };
+[[nodiscard]] FittedModel bentSheet(Bend bend);
+
 /// Half a cylinder and half of the ring that closes it above, a patch each.
 [[nodiscard]] FittedModel cup();
 

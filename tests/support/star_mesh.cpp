@@ -23,4 +23,27 @@ QuadMesh star(int quads, double turn) {
     return quadMesh(mesh);
 }
 
+QuadMesh bentFan(int quads) {
+    QuadMesh mesh;
+    const auto place = [](double radius, double angle) {
+        const double x = radius * std::cos(angle);
+        const double y = radius * std::sin(angle);
+        return Point(x, y, 0.2 * x * x - 0.1 * x * y);
+    };
+    mesh.add_vertex(place(0, 0));
+    for (int ring = 1; ring <= 3; ++ring)
+        for (int k = 0; k < 2 * quads; ++k)
+            mesh.add_vertex(place(ring * (k % 2 == 0 ? 1 : 1.3), std::numbers::pi * k / quads));
+    const auto vertex = [quads](int ring, int k) {
+        return VertexId(1 + (ring - 1) * 2 * quads + k % (2 * quads));
+    };
+    for (int k = 0; k < 2 * quads; k += 2)
+        mesh.add_face({VertexId(0), vertex(1, k), vertex(1, k + 1), vertex(1, k + 2)});
+    for (int ring = 1; ring < 3; ++ring)
+        for (int k = 0; k < 2 * quads; ++k)
+            mesh.add_face(
+                {vertex(ring, k), vertex(ring + 1, k), vertex(ring + 1, k + 1), vertex(ring, k + 1)});
+    return mesh;
+}
+
 } // namespace qm::testing

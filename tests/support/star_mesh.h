@@ -10,4 +10,8 @@ namespace qm::testing {
 /// \param turn  the angle that all quads fill together, in degrees; at 360 they form a closed fan
 [[nodiscard]] QuadMesh star(int quads, double turn = 360);
 
+/// A closed fan of quads around vertex 0 inside two rings of quads, slightly bent. Vertex 1 + 2 k is the end
+/// of the k-th edge that leaves vertex 0.
+[[nodiscard]] QuadMesh bentFan(int quads);
+
 } // namespace qm::testing

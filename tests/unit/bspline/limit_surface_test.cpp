@@ -14,6 +14,7 @@
 #include "support/quad_layout.h"
 #include "support/random_graph.h"
 #include "support/rounded_box.h"
+#include "support/star_mesh.h"
 #include "support/steps.h"
 
 #include <gtest/gtest.h>
@@ -33,6 +34,7 @@ namespace {
 
 using Kind = VertexRule::Kind;
 using test::Grid;
+using testing::bentFan;
 using testing::creasesAndBoundary;
 using testing::limitSurface;
 using testing::segmentPerQuad;
@@ -64,43 +66,6 @@ double limitError(const std::string& shape, int resolution,
     options.resolution = resolution;
     const QuadMesh mesh = makeShape(shape, options);
     return largestError(limitSurface(mesh, segmentPerQuad(mesh), noCreases(mesh), 4, 1), distance);
-}
-
-/// A fan of n quads around vertex 0 inside a ring of quads, slightly bent.
-QuadMesh fan(int n) {
-    QuadMesh mesh;
-    const auto place = [](double radius, double angle) {
-        const double x = radius * std::cos(angle);
-        const double y = radius * std::sin(angle);
-        return Point(x, y, 0.2 * x * x - 0.1 * x * y);
-    };
-    mesh.add_vertex(place(0, 0));
-    for (int ring = 1; ring <= 3; ++ring)
-        for (int k = 0; k < 2 * n; ++k)
-            mesh.add_vertex(place(ring * (k % 2 == 0 ? 1 : 1.3), std::numbers::pi * k / n));
-    const auto vertex = [n](int ring, int k) { return VertexId(1 + (ring - 1) * 2 * n + k % (2 * n)); };
-    for (int k = 0; k < 2 * n; k += 2)
-        mesh.add_face({VertexId(0), vertex(1, k), vertex(1, k + 1), vertex(1, k + 2)});
-    for (int ring = 1; ring < 3; ++ring)
-        for (int k = 0; k < 2 * n; ++k)
-            mesh.add_face(
-                {vertex(ring, k), vertex(ring + 1, k), vertex(ring + 1, k + 1), vertex(ring, k + 1)});
-    return mesh;
-}
-
-HalfedgeId halfedge(const QuadMesh& mesh, int from, int to) {
-    return mesh.find_halfedge(VertexId(from), VertexId(to));
-}
-
-std::vector<bool> creaseAlong(const QuadMesh& mesh, const std::vector<std::array<int, 2>>& edges) {
-    std::vector<bool> creases = noCreases(mesh);
-    for (const auto& [from, to] : edges)
-        creases[at(mesh.edge_handle(halfedge(mesh, from, to)))] = true;
-    return creases;
-}
-
-VertexRule ruleAt(const QuadMesh& mesh, const Layout& layout, const std::vector<bool>& creases, int vertex) {
-    return vertexRules(mesh, layout, creasesAndBoundary(mesh, creases))[at(vertex)];
 }
 
 // ------------------------------------------------------------------------------- shape
@@ -315,7 +280,7 @@ TEST(LimitSurface, KeepsThePlanesAndEdgesOfACube) {
 
 TEST(LimitSurface, PassesThroughTheVerticesWhateverTheirValence) {
     for (int n = 3; n <= 40; ++n) {
-        const QuadMesh mesh = fan(n);
+        const QuadMesh mesh = bentFan(n);
         const auto rules = vertexRules(mesh, segmentPerQuad(mesh), creasesAndBoundary(mesh, noCreases(mesh)));
         const ControlMesh control = interpolatingControlMesh(mesh, rules);
         EXPECT_EQ(std::ranges::count(control.interpolates, false), 0) << n;
@@ -478,9 +443,9 @@ TEST(VertexStencil, TheLimitIsWhereManySubdivisionsEnd) {
     // Subdivides one ring around vertex 0 by hand, with and without a crease along the first spoke.
     for (const bool dart : {false, true})
         for (const int n : {3, 4, 5, 8, 20}) {
-            const QuadMesh mesh = fan(n);
-            const VertexRule rule =
-                dart ? VertexRule{Kind::dart, {halfedge(mesh, 0, 1), halfedge(mesh, 0, 1)}} : VertexRule{};
+            const QuadMesh mesh = bentFan(n);
+            const HalfedgeId spoke = mesh.find_halfedge(VertexId(0), VertexId(1));
+            const VertexRule rule = dart ? VertexRule{Kind::dart, {spoke, spoke}} : VertexRule{};
             const auto count = static_cast<std::size_t>(n);
             std::vector<Point> edge;
             std::vector<Point> diagonal;
@@ -492,8 +457,8 @@ TEST(VertexStencil, TheLimitIsWhereManySubdivisionsEnd) {
 
             const auto mean = [&](const VertexStencil& stencil) {
                 Point sum = stencil.own * centre;
-                for (const auto& [spoke, isDiagonal, weight] : stencil.around) {
-                    const auto k = static_cast<std::size_t>(mesh.to_vertex_handle(spoke).idx() / 2);
+                for (const auto& [leaving, isDiagonal, weight] : stencil.around) {
+                    const auto k = static_cast<std::size_t>(mesh.to_vertex_handle(leaving).idx() / 2);
                     sum += weight * (isDiagonal ? diagonal : edge)[k];
                 }
                 return sum;
@@ -515,67 +480,6 @@ TEST(VertexStencil, TheLimitIsWhereManySubdivisionsEnd) {
             }
             EXPECT_LT((centre - expected).norm(), 1e-12) << n << (dart ? " dart" : "");
         }
-}
-
-// ------------------------------------------------------------------------------- rules
-
-TEST(VertexRules, ACreaseThatEndsIsADartAndOneWithoutEndACurve) {
-    const QuadMesh mesh = fan(4);
-    const Layout layout = segmentPerQuad(mesh);
-    EXPECT_EQ(ruleAt(mesh, layout, noCreases(mesh), 0).kind, Kind::smooth);
-    const VertexRule dart = ruleAt(mesh, layout, creaseAlong(mesh, {{0, 1}}), 0);
-    EXPECT_EQ(dart.kind, Kind::dart);
-    EXPECT_EQ(dart.along[0], halfedge(mesh, 0, 1));
-    EXPECT_EQ(ruleAt(mesh, layout, creaseAlong(mesh, {{0, 1}, {0, 5}}), 0).kind, Kind::crease);
-    EXPECT_EQ(ruleAt(mesh, layout, creaseAlong(mesh, {{0, 1}, {0, 3}}), 0).kind, Kind::corner);
-    EXPECT_EQ(ruleAt(mesh, layout, creaseAlong(mesh, {{0, 1}, {0, 3}, {0, 5}}), 0).kind, Kind::corner);
-}
-
-TEST(VertexRules, CreasesThatTurnSharplyOrLeaveOneQuadBetweenThemMakeACorner) {
-    const QuadMesh five = fan(5);
-    const Layout layout = segmentPerQuad(five);
-    EXPECT_EQ(ruleAt(five, layout, creaseAlong(five, {{0, 1}, {0, 5}}), 0).kind, Kind::crease);
-    EXPECT_EQ(ruleAt(five, layout, creaseAlong(five, {{0, 1}, {0, 3}}), 0).kind, Kind::corner);
-    const QuadMesh eight = fan(8);
-    EXPECT_EQ(ruleAt(eight, segmentPerQuad(eight), creaseAlong(eight, {{0, 1}, {0, 5}}), 0).kind,
-              Kind::corner)
-        << "they turn by a right angle";
-    EXPECT_EQ(ruleAt(eight, segmentPerQuad(eight), creaseAlong(eight, {{0, 1}, {0, 7}}), 0).kind,
-              Kind::crease)
-        << "they turn by half a right angle";
-}
-
-TEST(VertexRules, ASideThatPassesKeepsTheCurveSmoothWhateverEndsThere) {
-    const Grid sheet{4, 4, [](double i, double j) { return Point(i, j, 0); }};
-    const QuadMesh mesh = test::makeMesh(sheet);
-    // The middle row has the vertices 10 to 14; a crease runs along it, and another one ends on it at 12 from
-    // above.
-    const std::vector<bool> creases = creaseAlong(mesh, {{10, 11}, {11, 12}, {12, 13}, {13, 14}, {12, 17}});
-    const VertexRule passed = ruleAt(
-        mesh, test::makeLayout(sheet, {{0, 0, 4, 2, 1}, {0, 2, 2, 4, 0}, {2, 2, 4, 4, 3}}), creases, 12);
-    EXPECT_EQ(passed.kind, Kind::crease);
-    std::vector<int> ends{mesh.to_vertex_handle(passed.along[0]).idx(),
-                          mesh.to_vertex_handle(passed.along[1]).idx()};
-    std::ranges::sort(ends);
-    EXPECT_EQ(ends, (std::vector{11, 13}));
-    EXPECT_EQ(mesh.from_vertex_handle(passed.along[0]), VertexId(12));
-    EXPECT_EQ(mesh.from_vertex_handle(passed.along[1]), VertexId(12));
-    const Layout four =
-        test::makeLayout(sheet, {{0, 0, 2, 2, 0}, {2, 0, 4, 2, 0}, {0, 2, 2, 4, 0}, {2, 2, 4, 4, 0}});
-    EXPECT_EQ(ruleAt(mesh, four, creases, 12).kind, Kind::corner);
-    EXPECT_EQ(ruleAt(mesh, four, creaseAlong(mesh, {{11, 12}, {12, 13}}), 12).kind, Kind::crease);
-}
-
-TEST(VertexRules, ABoundaryVertexOfOneQuadIsACornerAndStraightOnesAreNot) {
-    const Grid sheet{3, 2, [](double i, double j) { return Point(i, j, 0); }};
-    const QuadMesh mesh = test::makeMesh(sheet);
-    const Layout layout = test::makeLayout(sheet, {{0, 0, 3, 2, 0}});
-    const auto rules = vertexRules(mesh, layout, creasesAndBoundary(mesh, noCreases(mesh)));
-    for (int k = 0; k < 12; ++k) {
-        const bool isCorner = k == 0 || k == 3 || k == 8 || k == 11;
-        const bool isInside = k == 5 || k == 6;
-        EXPECT_EQ(rules[at(k)].kind, isCorner ? Kind::corner : isInside ? Kind::smooth : Kind::crease) << k;
-    }
 }
 
 // ------------------------------------------------------------------------------- grid
