@@ -40,11 +40,7 @@ int main(int argc, char** argv) {
             tool.example("qm-bspline part.layout.json | qm-export --format iges -o part.igs");
             tool.example("qm-export --join --analytic part.surfaces.json -o part.step");
             tool.example("qm-export --format ply --colour deviation part.surfaces.json > part.ply");
-            qm::declareNeeds(tool, options, format);
-            tool.verify([&] {
-                options.format = qm::exportFormat(format, tool.outputPath());
-                qm::verifyNameAndDate(options.name, date);
-            });
+            qm::declareChecks(tool, options, format, date);
             return [&tool, &options, &date, stage] {
                 const qm::Model& model = stage->read(qm::neededKind(options));
                 tool.protectInput();

@@ -19,8 +19,7 @@ namespace {
 /// the mesh is too small.
 constexpr double smallestShare = 1e-3;
 
-} // namespace
-
+/// \throw UsageError  if neither the option nor the output's name determines the format
 ExportFormat exportFormat(NamedFormat format, const std::string& outputPath) {
     using enum ExportFormat;
     static const std::map<std::string, ExportFormat> ofEnding = {
@@ -38,6 +37,7 @@ ExportFormat exportFormat(NamedFormat format, const std::string& outputPath) {
     return found->second;
 }
 
+/// \throw Error  if no product can have this name, because it is too long or not UTF-8, or if that is no date
 void verifyNameAndDate(const std::string& name, const std::string& date) {
     constexpr std::size_t maxLength = 1000; // OpenCASCADE crashes at longer ones in IGES
     if (name.size() > maxLength)
@@ -46,7 +46,9 @@ void verifyNameAndDate(const std::string& name, const std::string& date) {
     if (!date.empty() && date != "mesh") (void)exportDate(date, "");
 }
 
-void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& format) {
+} // namespace
+
+void declareChecks(Tool& tool, ExportOptions& options, const NamedFormat& format, const std::string& date) {
     using enum ExportFormat;
     const auto isSolid = [&tool, &format] {
         const ExportFormat written = exportFormat(format, tool.outputPath());
@@ -56,6 +58,10 @@ void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& f
     tool.needs({"analytic-tolerance"}, "--analytic", [&options] { return options.analytic; });
     tool.needs({"colour"}, "PLY or glTF", [&tool, &format, isSolid] {
         return !isSolid() && exportFormat(format, tool.outputPath()) != obj;
+    });
+    tool.verify([&tool, &options, &format, &date] {
+        options.format = exportFormat(format, tool.outputPath());
+        verifyNameAndDate(options.name, date);
     });
 }
 

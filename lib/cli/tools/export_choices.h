@@ -39,15 +39,11 @@ template <> struct Choices<ColourBy> {
         {deviation, "deviation", "blue to red by the surface's largest deviation"}};
 };
 
-/// \throw UsageError  if neither the option nor the output's name determines the format
-[[nodiscard]] ExportFormat exportFormat(NamedFormat format, const std::string& outputPath);
-
+/// Declares which options have an effect on some formats only. Once the command line has been read, sets the
+/// format in the options, and refuses what neither --format nor the output's name determine, and names and
+/// dates that no product can have.
 /// \param date  empty, or see `exportDate` (cli/tools/export_date.h)
-/// \throw Error  if no product can have this name, because it is too long or not UTF-8, or if that is no date
-void verifyNameAndDate(const std::string& name, const std::string& date);
-
-/// Declares which options have an effect on some formats only.
-void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& format);
+void declareChecks(Tool& tool, ExportOptions& options, const NamedFormat& format, const std::string& date);
 
 /// The kind that a document must have. Quads need no surfaces, unless these determine their colours.
 [[nodiscard]] Kind neededKind(const ExportOptions& options);
