@@ -16,9 +16,9 @@ constexpr int height = 2; ///< of a bar, in cells
 constexpr std::array hole{2, 1};
 constexpr int twist = 2; ///< of one bar: vertices by which the cut ends are shifted
 
-testing::Cells ring() {
-    testing::Cells cells;
-    for (const auto& cell : testing::box(hole[0] + 2 * width, hole[1] + 2 * width, height))
+test::Cells ring() {
+    test::Cells cells;
+    for (const auto& cell : test::box(hole[0] + 2 * width, hole[1] + 2 * width, height))
         if (cell[0] < width || cell[0] >= width + hole[0] || cell[1] < width || cell[1] >= width + hole[1])
             cells.push_back(cell);
     return cells;
@@ -55,14 +55,14 @@ bool isBehindSection(const check::CheckedMesh& mesh, const std::array<int, 4>& q
 } // namespace
 
 QuadMesh studs(int count) {
-    testing::Cells cells = testing::box(2 * count + 1, 3, 1);
+    test::Cells cells = test::box(2 * count + 1, 3, 1);
     for (int k = 0; k < count; ++k)
         cells.push_back({2 * k + 1, 1, 1});
-    return testing::quadMesh(testing::polycube(cells, 2));
+    return test::quadMesh(test::polycube(cells, 2));
 }
 
 QuadMesh paperTorus() {
-    check::CheckedMesh mesh = testing::polycube(ring());
+    check::CheckedMesh mesh = test::polycube(ring());
     const std::vector<int> around = section(mesh);
     for (auto& quad : mesh.quads) {
         if (!isBehindSection(mesh, quad)) continue;
@@ -70,7 +70,7 @@ QuadMesh paperTorus() {
             if (const auto place = std::ranges::find(around, vertex); place != around.end())
                 vertex = around[at(place - around.begin() + twist) % around.size()];
     }
-    return testing::quadMesh(mesh);
+    return test::quadMesh(mesh);
 }
 
 } // namespace qm::bench

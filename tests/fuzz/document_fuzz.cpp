@@ -150,13 +150,13 @@ struct Sample {
         // Measuring surfaces takes most of a run unless they are few and small.
         const bool small = kind == qm::Kind::surfaces;
         const qm::QuadMesh quads =
-            qm::testing::dividedCubes(small ? qm::testing::box(2, 1, 1) : qm::testing::bump(), small ? 1 : 3);
-        root = qm::testing::sampleDocument(folder, kind, quads).root;
+            qm::test::dividedCubes(small ? qm::test::box(2, 1, 1) : qm::test::bump(), small ? 1 : 3);
+        root = qm::test::sampleDocument(folder, kind, quads).root;
         if (kind < qm::Kind::enumeration) demand(root);
-        mesh = qm::testing::checkedMesh(quads);
+        mesh = qm::test::checkedMesh(quads);
     }
 
-    qm::testing::TemporaryFolder folder;
+    qm::test::TemporaryFolder folder;
     Json root;
     qm::check::CheckedMesh mesh;
 };

@@ -395,7 +395,7 @@ int main(int argc, char** argv) {
         const qm::Document parsed = qm::parseDocument(text, argv[1]);
         const auto document = qm::check::readDocument(parsed.root);
         if (!document.layout || !document.surfaces) throw std::runtime_error("the document has no surfaces");
-        const auto mesh = qm::testing::checkedMesh(
+        const auto mesh = qm::test::checkedMesh(
             qm::readMeshOf(qm::JsonPlace(parsed.root)["mesh"], parsed.path, argc > 2 ? argv[2] : "").mesh);
         std::cout << measure::Measurement(mesh, document).run() << '\n';
     } catch (const std::exception& error) {

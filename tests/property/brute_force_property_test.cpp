@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr int wanted = 200;
@@ -84,4 +84,4 @@ TEST(BruteForceProperty, RandomMeshesHaveTheSameGraphs) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

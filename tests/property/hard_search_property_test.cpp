@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr unsigned cases = 60;
@@ -174,4 +174,4 @@ TEST(HardSearchProperty, DecompositionBoundsAreTrueWhereverTheClockEndsThem) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 struct Case {
@@ -155,4 +155,4 @@ TEST_P(RandomLayout, SmoothPruningLeavesGridsToo) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomLayout, ::testing::Range(0U, 8U));
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 std::vector<check::ReadTrack> read(const QuadMesh& mesh, const check::Neighbourhoods& around,
@@ -66,4 +66,4 @@ TEST(PlainGraphProperty, ObeysEveryRule) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -18,7 +18,7 @@
 #include <csignal>
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 struct Case {
@@ -431,4 +431,4 @@ TEST(PruneProperty, AStoppedSearchKeepsTheLayout) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 std::vector<std::filesystem::path> realMeshes() {
@@ -56,4 +56,4 @@ TEST(RealMeshes, StayInGridsHoweverTheyArePruned) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -32,7 +32,7 @@
 #include <random>
 #include <set>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr int cases = 150;
@@ -467,4 +467,4 @@ TEST(SearchProperty, ThreadsChangeNothing) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -15,7 +15,7 @@
 #include <optional>
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr unsigned cases = 2000;
@@ -165,4 +165,4 @@ TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

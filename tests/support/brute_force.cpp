@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace qm::testing {
+namespace qm::test {
 
 namespace {
 
@@ -170,4 +170,4 @@ BruteForce bruteForce(const check::Neighbourhoods& around, const check::LineNetw
     return Search(around, network, costs, maxSteps).run();
 }
 
-} // namespace qm::testing
+} // namespace qm::test

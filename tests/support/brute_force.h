@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 struct BruteForce {
     struct Graph {
@@ -32,4 +32,4 @@ struct BruteForce {
                                     const check::EdgeCosts& costs,
                                     std::uint64_t maxSteps = std::numeric_limits<std::uint64_t>::max());
 
-} // namespace qm::testing
+} // namespace qm::test

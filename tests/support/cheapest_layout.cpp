@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 Layout cheapestLayout(const QuadMesh& mesh) {
     const std::vector<double> angles = dihedralAngles(mesh);
@@ -14,4 +14,4 @@ Layout cheapestLayout(const QuadMesh& mesh) {
     return buildLayout(mesh, found.subMeshes.front().graphs.at(0).tracks, angles, edgeCosts(angles, {}));
 }
 
-} // namespace qm::testing
+} // namespace qm::test

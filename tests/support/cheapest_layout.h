@@ -3,8 +3,8 @@
 
 #include "layout/layout.h"
 
-namespace qm::testing {
+namespace qm::test {
 
 [[nodiscard]] Layout cheapestLayout(const QuadMesh& mesh);
 
-} // namespace qm::testing
+} // namespace qm::test

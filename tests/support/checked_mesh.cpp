@@ -1,6 +1,6 @@
 #include "support/checked_mesh.h"
 
-namespace qm::testing {
+namespace qm::test {
 
 check::CheckedMesh checkedMesh(const QuadMesh& mesh) {
     check::CheckedMesh result;
@@ -14,4 +14,4 @@ check::CheckedMesh checkedMesh(const QuadMesh& mesh) {
     return result;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

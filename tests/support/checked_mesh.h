@@ -4,8 +4,8 @@
 #include "check/mesh/neighbourhoods.h"
 #include "mesh/quad_mesh.h"
 
-namespace qm::testing {
+namespace qm::test {
 
 [[nodiscard]] check::CheckedMesh checkedMesh(const QuadMesh& mesh);
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace qm::testing {
+namespace qm::test {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::string layoutFault(const QuadMesh& mesh, const Layout& layout) {
     return std::abs(cost - layout.cost) < 1e-9 * (1 + std::abs(cost)) ? "" : "wrong cost";
 }
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace qm::testing {
+namespace qm::test {
 
 /// Looks for an edge on two tracks, a track on the mesh boundary, a segment whose faces, vertices, corners
 /// and sides do not form one grid or are not bordered by tracks and boundary only, a quad in no segment or in
@@ -13,4 +13,4 @@ namespace qm::testing {
 /// \return the first fault; empty if there is none
 [[nodiscard]] std::string layoutFault(const QuadMesh& mesh, const Layout& layout);
 
-} // namespace qm::testing
+} // namespace qm::test

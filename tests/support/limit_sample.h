@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 /// Every edge that is a crease or lies on the mesh boundary, by edge.
 inline std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, std::vector<bool> isCrease) {
@@ -72,4 +72,4 @@ template <class Onto> QuadMesh stirred(QuadMesh mesh, double largest, const Onto
     return mesh;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -9,7 +9,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace qm::testing {
+namespace qm::test {
 
 std::vector<Point> pointsOf(const QuadMesh& mesh) {
     std::vector<Point> points;
@@ -89,4 +89,4 @@ void BinaryText::put(const std::string& type, double value) {
     if (type == "double" || type == "float64") putAs<double>(value);
 }
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 using FaceIndices = std::array<int, 4>;
 
@@ -36,4 +36,4 @@ private:
     bool littleEndian_;
 };
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace qm::testing {
+namespace qm::test {
 
 /// The message of what f throws; empty if it throws nothing.
 template <class Thrown = Error, class Function> [[nodiscard]] std::string messageOf(Function&& f) {
@@ -17,4 +17,4 @@ template <class Thrown = Error, class Function> [[nodiscard]] std::string messag
     return "";
 }
 
-} // namespace qm::testing
+} // namespace qm::test

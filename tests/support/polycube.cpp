@@ -9,7 +9,7 @@
 #include <numeric>
 #include <set>
 
-namespace qm::testing {
+namespace qm::test {
 
 namespace {
 
@@ -173,4 +173,4 @@ check::CheckedMesh together(const std::vector<check::CheckedMesh>& parts) {
     return result;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

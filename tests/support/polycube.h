@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 using Cells = std::vector<std::array<int, 3>>;
 
@@ -40,4 +40,4 @@ using Cells = std::vector<std::array<int, 3>>;
 /// Several meshes as one, their vertices and faces one after the other.
 [[nodiscard]] check::CheckedMesh together(const std::vector<check::CheckedMesh>& parts);
 
-} // namespace qm::testing
+} // namespace qm::test

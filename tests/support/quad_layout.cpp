@@ -1,6 +1,6 @@
 #include "support/quad_layout.h"
 
-namespace qm::testing {
+namespace qm::test {
 
 Layout segmentPerQuad(const QuadMesh& mesh) {
     Layout layout;
@@ -18,4 +18,4 @@ Layout segmentPerQuad(const QuadMesh& mesh) {
     return layout;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

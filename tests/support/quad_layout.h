@@ -4,9 +4,9 @@
 #include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
-namespace qm::testing {
+namespace qm::test {
 
 /// Segment k is face k; its first corner is where the face's own halfedge begins.
 [[nodiscard]] Layout segmentPerQuad(const QuadMesh& mesh);
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <queue>
 
-namespace qm::testing {
+namespace qm::test {
 
 namespace {
 
@@ -148,4 +148,4 @@ bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present) 
     return true;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 [[nodiscard]] QuadMesh quadMesh(const check::CheckedMesh& mesh);
 
@@ -29,4 +29,4 @@ namespace qm::testing {
 /// Whether the arcs are a motorcycle graph of the whole mesh, by rules 1 to 4.
 [[nodiscard]] bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present);
 
-} // namespace qm::testing
+} // namespace qm::test

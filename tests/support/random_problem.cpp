@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 
 std::optional<RandomProblem> randomProblem(unsigned number) {
     constexpr std::size_t maxGraphs = 300;
@@ -34,4 +34,4 @@ std::vector<VariableId> freeVariables(const SearchState& state) {
     return variables;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

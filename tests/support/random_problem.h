@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 /// A whole mesh as a search problem.
 struct RandomProblem {
@@ -22,4 +22,4 @@ struct RandomProblem {
 
 [[nodiscard]] std::vector<VariableId> freeVariables(const SearchState& state);
 
-} // namespace qm::testing
+} // namespace qm::test

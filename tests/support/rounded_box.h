@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-namespace qm::testing {
+namespace qm::test {
 
 /// A box of 60 x 40 x 20 with round edges and corners: few narrow quads beside many wide ones, or beside few
 /// that are wider still.
@@ -75,4 +75,4 @@ private:
     std::map<Index, VertexId> vertices_;
 };
 
-} // namespace qm::testing
+} // namespace qm::test

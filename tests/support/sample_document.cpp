@@ -17,7 +17,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace qm::testing {
+namespace qm::test {
 
 namespace {
 
@@ -119,4 +119,4 @@ Document sampleDocument(const TemporaryFolder& folder, Kind kind, const QuadMesh
     return document;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace qm::testing {
+namespace qm::test {
 
 /// The surface of cubes, with every square divided into n x n quads.
 [[nodiscard]] QuadMesh dividedCubes(const Cells& cells, int n);
@@ -30,4 +30,4 @@ public:
 [[nodiscard]] Document sampleDocument(const TemporaryFolder& folder, Kind kind,
                                       const QuadMesh& mesh = sampleMesh());
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -3,7 +3,7 @@
 #include <map>
 #include <numbers>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -97,4 +97,4 @@ std::optional<TrueSurface> trueSurface(const std::string& part) {
     return found == known.end() ? std::nullopt : std::optional(found->second());
 }
 
-} // namespace qm::testing
+} // namespace qm::test

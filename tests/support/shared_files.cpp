@@ -7,7 +7,7 @@
 #include <iterator>
 #include <system_error>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 std::filesystem::path sharedFolder() {
@@ -32,4 +32,4 @@ std::vector<std::string> sharedFiles(const std::string& folder) {
     return names;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

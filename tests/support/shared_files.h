@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 /// The contents of a file in the folder named by QM_SHARED_MESHES, or in ../shared/meshes; nothing if there
 /// is no such file.
@@ -16,4 +16,4 @@ namespace qm::testing {
 /// \param folder  such as "dev"
 [[nodiscard]] std::vector<std::string> sharedFiles(const std::string& folder);
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -4,7 +4,7 @@
 #include "support/checked_mesh.h"
 #include "support/shared_files.h"
 
-namespace qm::testing {
+namespace qm::test {
 
 std::optional<check::CheckedMesh> sharedMesh(const std::string& name) {
     const auto bytes = sharedFile(name);
@@ -12,4 +12,4 @@ std::optional<check::CheckedMesh> sharedMesh(const std::string& name) {
     return checkedMesh(readMesh(*bytes, name).mesh);
 }
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace qm::testing {
+namespace qm::test {
 
 QuadMesh star(int quads, double turn) {
     check::CheckedMesh mesh{{{0, 0, 0}}, {}};
@@ -46,4 +46,4 @@ QuadMesh bentFan(int quads) {
     return mesh;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

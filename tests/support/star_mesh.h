@@ -3,7 +3,7 @@
 
 #include "mesh/quad_mesh.h"
 
-namespace qm::testing {
+namespace qm::test {
 
 /// Quads around vertex 0 in the plane z = 0, counter-clockwise; vertex 1 + k is the end of the k-th edge that
 /// leaves vertex 0.
@@ -14,4 +14,4 @@ namespace qm::testing {
 /// of the k-th edge that leaves vertex 0.
 [[nodiscard]] QuadMesh bentFan(int quads);
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace qm::testing {
+namespace qm::test {
 
 Track trackAlong(const QuadMesh& mesh, const Path& path, double cost) {
     Track track{{}, cost};
@@ -32,4 +32,4 @@ QuadMesh rectangle(int columns, int rows) {
     return test::makeMesh({columns, rows, [](double x, double y) { return Point(x, y, 0); }});
 }
 
-} // namespace qm::testing
+} // namespace qm::test

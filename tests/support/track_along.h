@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 using Path = std::vector<int>;
 
@@ -39,4 +39,4 @@ template <class Handles> [[nodiscard]] Path numbers(const Handles& handles) {
 /// A mesh of columns x rows squares in the plane; vertex (i, j) has number j * (columns + 1) + i.
 [[nodiscard]] QuadMesh rectangle(int columns, int rows);
 
-} // namespace qm::testing
+} // namespace qm::test

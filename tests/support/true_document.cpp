@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace qm::testing {
+namespace qm::test {
 
 namespace {
 
@@ -193,4 +193,4 @@ CheckedDocument trueDocument(const CheckedMesh& mesh, const DocumentRecipe& reci
     return document;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 struct DocumentRecipe {
     std::vector<std::vector<int>> curves; ///< feature curves; each has its seed at the second vertex
@@ -30,4 +30,4 @@ struct DocumentRecipe {
 [[nodiscard]] check::SurfacesPart bilinearPatches(const check::CheckedMesh& mesh,
                                                   const check::LayoutPart& layout);
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -8,7 +8,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace qm::testing {
+namespace qm::test {
 
 using namespace check;
 
@@ -152,4 +152,4 @@ TrackPart& crashing(CheckedDocument& d) {
     throw std::logic_error("no track crashes");
 }
 
-} // namespace qm::testing
+} // namespace qm::test

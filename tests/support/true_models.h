@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace qm::testing {
+namespace qm::test {
 
 struct Model {
     check::CheckedMesh mesh;
@@ -44,4 +44,4 @@ struct Model {
 [[nodiscard]] ::testing::AssertionResult found(const check::Report& report, const std::string& pointer,
                                                const std::string& rule);
 
-} // namespace qm::testing
+} // namespace qm::test

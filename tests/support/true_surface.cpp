@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using Place = Revolved::Place;
@@ -88,4 +88,4 @@ TrueSurface::Nearest TrueSurface::nearest(const Point& point) const {
     return best;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

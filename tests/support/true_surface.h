@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 /// A surface of revolution: a straight line or an arc that bulges outwards, in the half-plane x >= 0, turned
 /// around a vertical axis. Outside is to the right of a line's direction.
@@ -55,4 +55,4 @@ private:
 /// The surface of a sample part (see shape/shape.h), by name; nothing for parts without a formula.
 [[nodiscard]] std::optional<TrueSurface> trueSurface(const std::string& part);
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 QuadMesh read(const std::string& text, const std::string& name) {
     return readMesh(text, name).mesh;
@@ -91,4 +91,4 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace qm::testing {
+namespace qm::test {
 
 [[nodiscard]] QuadMesh read(const std::string& text, const std::string& name);
 
@@ -43,4 +43,4 @@ void expectTwoSquares(const std::string& text, const std::string& name);
 /// \param what  replaced wherever it occurs
 [[nodiscard]] std::string replaced(std::string text, const std::string& what, const std::string& by);
 
-} // namespace qm::testing
+} // namespace qm::test

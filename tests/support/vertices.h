@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 
 inline std::vector<VertexId> verticesOf(const QuadMesh& mesh) {
     std::vector<VertexId> vertices;
@@ -15,4 +15,4 @@ inline std::vector<VertexId> verticesOf(const QuadMesh& mesh) {
     return vertices;
 }
 
-} // namespace qm::testing
+} // namespace qm::test

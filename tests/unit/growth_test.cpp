@@ -48,7 +48,7 @@ void operator delete(void* place, std::size_t) noexcept {
 }
 // NOLINTEND(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,misc-new-delete-overloads)
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 /// The bytes that every stage allocates for a solid of so many cubes, whose extraordinary vertices grow with
@@ -123,4 +123,4 @@ TEST(Growth, NoStageTakesMuchMoreThanInProportion) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

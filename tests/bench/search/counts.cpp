@@ -43,7 +43,7 @@ bool printCounts(const TableOptions& options) {
     for (const KnownMinima& known : knownMinima()) {
         if (known.ordinaryJunctions > maxJunctions || !std::regex_search(known.mesh, options.meshes))
             continue;
-        if (const auto bytes = testing::sharedFile(std::string("dev/") + known.mesh))
+        if (const auto bytes = test::sharedFile(std::string("dev/") + known.mesh))
             good = printCount(known.mesh, readMesh(*bytes, known.mesh).mesh, known.graphs) && good;
     }
     std::puts("");

@@ -35,7 +35,7 @@ void printGaps(const TableOptions& options) {
                 "seconds");
     for (const char* name : hardMeshes()) {
         if (!std::regex_search(name, options.meshes)) continue;
-        const auto bytes = testing::sharedFile(std::string("dev/") + name);
+        const auto bytes = test::sharedFile(std::string("dev/") + name);
         if (!bytes) continue;
         const QuadMesh mesh = readMesh(*bytes, name).mesh;
         for (const GraphClass graphClass : {GraphClass::motorcycle, GraphClass::tmesh})

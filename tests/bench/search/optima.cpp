@@ -109,7 +109,7 @@ bool printOptima(const TableOptions& options) {
     bool missing = false;
     for (const KnownMinima& known : knownMinima()) {
         if (!std::regex_search(known.mesh, options.meshes)) continue;
-        const auto bytes = testing::sharedFile(std::string("dev/") + known.mesh);
+        const auto bytes = test::sharedFile(std::string("dev/") + known.mesh);
         missing = missing || !bytes;
         if (bytes) table.add(known.mesh, readMesh(*bytes, known.mesh).mesh, &known);
     }

@@ -12,7 +12,7 @@ namespace {
 /// The paths of a sample part in which every quad is a segment.
 std::vector<std::vector<VertexId>> paths(const char* name, int resolution) {
     const QuadMesh mesh = makeShape(name, {.resolution = resolution});
-    const Layout layout = testing::segmentPerQuad(mesh);
+    const Layout layout = test::segmentPerQuad(mesh);
     return creasePaths(mesh, markBorders(mesh, borderEdges(mesh, layout), dihedralAngles(mesh), 0.6));
 }
 

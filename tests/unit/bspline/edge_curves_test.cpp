@@ -9,12 +9,12 @@ namespace qm {
 namespace {
 
 TEST(EdgeCurves, AreTangentToASphereHoweverUnevenItsVerticesAre) {
-    QuadMesh mesh = testing::shape("sphere", 4);
+    QuadMesh mesh = test::shape("sphere", 4);
     for (const VertexId vertex : mesh.vertices()) {
         const Point at = mesh.point(vertex);
         mesh.set_point(vertex, (at + Point(0.1 * at[1], 0.2 * at[0] * at[2], 0)).normalized());
     }
-    const testing::LimitSample sample(mesh);
+    const test::LimitSample sample(mesh);
     const EdgeCurves curves(sample.mesh, sample.rules, sample.isCrease, nullptr);
     for (const HalfedgeId halfedge : sample.mesh.halfedges()) {
         const std::array<Point, 4> points = curves.above(halfedge);

@@ -13,9 +13,9 @@
 namespace qm {
 namespace {
 
-using testing::LimitSample;
-using testing::shape;
-using testing::stirred;
+using test::LimitSample;
+using test::shape;
+using test::stirred;
 
 TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
     const LimitSample sample(stirred(shape("torus", 4), 0.04, [](const Point& point) { return point; }));

@@ -30,7 +30,7 @@ double monkeySaddle(double x, double y) {
 
 /// Quads that make a regular polygon, with a vertex in its middle and others in the middle of its sides.
 QuadMesh polygon(int quads) {
-    QuadMesh mesh = testing::star(quads);
+    QuadMesh mesh = test::star(quads);
     const double radius = 1 / std::cos(std::numbers::pi / quads);
     for (int k = 1 + quads; k <= 2 * quads; ++k) {
         const VertexId corner(k);
@@ -42,8 +42,7 @@ QuadMesh polygon(int quads) {
 /// The quads of a polygon, each of which is a patch, with a reference over them.
 struct Star {
     Star(int quads, const Height& over)
-        : mesh(polygon(quads)), layout(testing::segmentPerQuad(mesh)),
-          network(test::networkOf(mesh, layout)) {
+        : mesh(polygon(quads)), layout(test::segmentPerQuad(mesh)), network(test::networkOf(mesh, layout)) {
         constexpr int steps = 4;
         for (const Segment& segment : layout.segments) {
             const auto corner = [&](std::size_t side) { return mesh.point(segment.sides[side].front()); };

@@ -116,7 +116,7 @@ TEST(EvenedMesh, SurfacesOfPlatesAroundHolesKeepTheToleranceWithoutFolds) {
     // Between the squares around its hole and the circle the plate's lines turn by up to 90 degrees.
     for (const int resolution : {16, 32}) {
         const QuadMesh mesh = makeShape("plate", {.resolution = resolution});
-        const Layout layout = testing::cheapestLayout(mesh);
+        const Layout layout = test::cheapestLayout(mesh);
         const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
         EXPECT_EQ(missedTolerance(surfaces, {}), "") << resolution;
         EXPECT_TRUE(surfaces.folds.empty()) << resolution;

@@ -15,8 +15,8 @@
 namespace qm {
 namespace {
 
-using testing::LimitSample;
-using testing::RoundedBox;
+using test::LimitSample;
+using test::RoundedBox;
 
 constexpr double flatness = 1e-5;
 

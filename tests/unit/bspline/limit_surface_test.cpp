@@ -33,11 +33,11 @@ namespace qm {
 namespace {
 
 using Kind = VertexRule::Kind;
+using test::bentFan;
+using test::creasesAndBoundary;
 using test::Grid;
-using testing::bentFan;
-using testing::creasesAndBoundary;
-using testing::limitSurface;
-using testing::segmentPerQuad;
+using test::limitSurface;
+using test::segmentPerQuad;
 
 std::vector<bool> noCreases(const QuadMesh& mesh) {
     return std::vector<bool>(mesh.n_edges());
@@ -80,7 +80,7 @@ TEST(LimitSurface, ApproachesTheSphereOfASphericalMesh) {
 
 TEST(LimitSurface, ApproachesATorusWithTheFourthPowerOfTheEdge) {
     const auto torus = [](int n) {
-        QuadMesh mesh = testing::quadMesh(testing::torus(2 * n, n));
+        QuadMesh mesh = test::quadMesh(test::torus(2 * n, n));
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < 2 * n; ++i) {
                 const double u = std::numbers::pi * i / n;
@@ -300,7 +300,7 @@ TEST(LimitSurface, IsTheSameToTheLastBitOnBothSidesOfABorderAndOnAnyNumberOfThre
     std::mt19937 random(3);
     int meshes = 0;
     for (int round = 0; round < 60; ++round) {
-        const auto mesh = testing::randomMesh(random);
+        const auto mesh = test::randomMesh(random);
         if (!mesh) continue;
         ++meshes;
         std::vector<bool> creases = noCreases(*mesh);
@@ -374,7 +374,7 @@ double largestDistanceFromSides(const QuadMesh& box) {
 TEST(LimitSurface, StaysPlaneWhereNarrowQuadsBesidePlanePartsAreRedrawn) {
     for (const int fillet : {4, 6})
         for (const int flat : {1, 2, 4})
-            EXPECT_LT(largestDistanceFromSides(testing::RoundedBox(fillet, flat).mesh()), 1e-9)
+            EXPECT_LT(largestDistanceFromSides(test::RoundedBox(fillet, flat).mesh()), 1e-9)
                 << fillet << " " << flat;
 }
 

@@ -10,9 +10,9 @@
 namespace qm {
 namespace {
 
-using testing::LimitSample;
-using testing::shape;
-using testing::stirred;
+using test::LimitSample;
+using test::shape;
+using test::stirred;
 
 MeshLattice bent(const LimitSample& sample, unsigned jobs = 1) {
     MeshLattice lattice = sample.limit;

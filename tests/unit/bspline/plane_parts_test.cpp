@@ -17,11 +17,11 @@ namespace qm {
 namespace {
 
 using test::Grid;
-using testing::RoundedBox;
+using test::RoundedBox;
 
 PlaneParts partsOf(const QuadMesh& mesh) {
     constexpr double flatness = 1e-5;
-    const auto isCrease = testing::creasesAndBoundary(mesh, std::vector<bool>(mesh.n_edges()));
+    const auto isCrease = test::creasesAndBoundary(mesh, std::vector<bool>(mesh.n_edges()));
     return planeParts(mesh, isCrease, flatness, 2);
 }
 
@@ -66,7 +66,7 @@ TEST(PlaneParts, AreTheSidesOfARoundedBox) {
 
 TEST(PlaneParts, RoundShapesHaveNone) {
     for (const char* name : {"sphere", "torus", "tube"})
-        EXPECT_EQ(quadsIn(partsOf(testing::shape(name, 8))), 0U) << name;
+        EXPECT_EQ(quadsIn(partsOf(test::shape(name, 8))), 0U) << name;
 }
 
 TEST(PlaneParts, FacetsOfSomethingRoundAreNone) {
@@ -109,7 +109,7 @@ TEST(PlaneParts, FewQuadsThatLieInOnePlaneByChanceAreNone) {
 
 TEST(PlaneParts, EndAtCreases) {
     const QuadMesh mesh = test::makeMesh({16, 8, [](double i, double j) { return Point(i, j, 0); }});
-    auto isCrease = testing::creasesAndBoundary(mesh, std::vector<bool>(mesh.n_edges()));
+    auto isCrease = test::creasesAndBoundary(mesh, std::vector<bool>(mesh.n_edges()));
     EXPECT_EQ(numberOf(planeParts(mesh, isCrease, 1e-5, 1)), 1U);
     for (const EdgeId edge : mesh.edges())
         if (mesh.calc_edge_midpoint(edge)[0] == 8) isCrease[at(edge)] = true;

@@ -10,10 +10,10 @@
 namespace qm {
 namespace {
 
-using testing::RoundedBox;
+using test::RoundedBox;
 
 Surfaces surfacesOf(const QuadMesh& mesh) {
-    return fitSurfaces(mesh, testing::cheapestLayout(mesh), dihedralAngles(mesh), {});
+    return fitSurfaces(mesh, test::cheapestLayout(mesh), dihedralAngles(mesh), {});
 }
 
 std::size_t controlPoints(const Surfaces& surfaces) {

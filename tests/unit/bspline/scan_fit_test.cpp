@@ -21,11 +21,11 @@ class NoisyScan : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
     const std::string name = GetParam();
-    const auto truth = testing::trueSurface(name);
+    const auto truth = test::trueSurface(name);
     ASSERT_TRUE(truth);
     const QuadMesh mesh = makeShape(name);
     const std::vector<double> angles = dihedralAngles(mesh);
-    const Layout layout = testing::cheapestLayout(mesh);
+    const Layout layout = test::cheapestLayout(mesh);
     Triangles scan = makeScan(name, 60'000);
     addNoise(scan, 0.0005 * boundingBoxOf(scan.points).diagonal(), 3);
     double ofScan = 0;
@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Parts, NoisyScan,
 std::size_t controlPointsFor(const QuadMesh& mesh, const Triangles& scan) {
     const std::vector<double> angles = dihedralAngles(mesh);
     const TriangleSurface surface(scan);
-    const Surfaces surfaces = fitSurfaces(mesh, testing::cheapestLayout(mesh), angles, {}, &surface);
+    const Surfaces surfaces = fitSurfaces(mesh, test::cheapestLayout(mesh), angles, {}, &surface);
     EXPECT_LE(surfaces.deviation.maxRelative, 0.001);
     return controlPointCount(surfaces.patches);
 }
@@ -75,7 +75,7 @@ TEST(DirtyScan, IsGivenUpWhereOnlyNoiseIsLeftToFollow) {
     control.progress = [&](double) { ++rounds; };
     control.stopRequested = [&] { return ++questions < 0; };
     const Surfaces surfaces =
-        fitSurfaces(mesh, testing::cheapestLayout(mesh), dihedralAngles(mesh), options, &surface, control);
+        fitSurfaces(mesh, test::cheapestLayout(mesh), dihedralAngles(mesh), options, &surface, control);
     EXPECT_FALSE(missedTolerance(surfaces, options).empty());
     EXPECT_LT(rounds, 10);
     EXPECT_LT(questions, 10 + SmoothFitOptions{}.unfoldings) << "it is not begun once more";
@@ -88,7 +88,7 @@ TEST(DirtyScan, NoiseIsNotFollowedWhereTrianglesAreNoSmallerThanSteps) {
     addNoise(scan, 0.0005 * boundingBoxOf(scan.points).diagonal(), 1);
     const TriangleSurface surface(scan);
     const Surfaces surfaces =
-        fitSurfaces(mesh, testing::cheapestLayout(mesh), dihedralAngles(mesh), {}, &surface);
+        fitSurfaces(mesh, test::cheapestLayout(mesh), dihedralAngles(mesh), {}, &surface);
     EXPECT_EQ(missedTolerance(surfaces, {}), "");
     EXPECT_LE(controlPointCount(surfaces.patches), 2 * expected);
 }

@@ -13,9 +13,9 @@ namespace {
 /// A torus with targets, which are at first its own points.
 struct Targets {
     QuadMesh mesh = makeShape("torus", {.resolution = 2});
-    Layout layout = testing::segmentPerQuad(mesh);
+    Layout layout = test::segmentPerQuad(mesh);
     std::vector<ReferenceGrid> surface =
-        testing::limitSurface(mesh, layout, std::vector<bool>(mesh.n_edges()), 4, 1);
+        test::limitSurface(mesh, layout, std::vector<bool>(mesh.n_edges()), 4, 1);
     LatticeNormals lattice = latticeNormals(mesh, layout, surface, 1);
     FitTarget reference{surface, {}};
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 /// A square of the plane z = 0, with normals upwards.
@@ -70,4 +70,4 @@ TEST(ScanOutliers, ASharpPointThatJumpsOutOfItsEdgeIsDropped) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

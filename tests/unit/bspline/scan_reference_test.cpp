@@ -24,20 +24,19 @@ struct Part {
     double diagonal;
 
     Part(const std::string& part, int resolution, double rho = 0.6)
-        : name(part), mesh(makeShape(part, {.resolution = resolution})),
-          layout(testing::segmentPerQuad(mesh)),
+        : name(part), mesh(makeShape(part, {.resolution = resolution})), layout(test::segmentPerQuad(mesh)),
           diagonal(boundingBoxOf(makeScan(part, 2000).points).diagonal()) {
         std::vector<bool> creases;
         for (const double angle : dihedralAngles(mesh))
             creases.push_back(angle > rho);
-        limit = testing::limitSurface(mesh, layout, creases, 2, 1);
+        limit = test::limitSurface(mesh, layout, creases, 2, 1);
     }
 
     [[nodiscard]] FitTarget against(const Triangles& scan, double maxDistance = 0, unsigned jobs = 1) const {
         return scanReference(mesh, layout, limit, TriangleSurface(scan), jobs, maxDistance);
     }
     [[nodiscard]] double distance(const Point& point) const {
-        return testing::trueSurface(name)->nearest(point).distance;
+        return test::trueSurface(name)->nearest(point).distance;
     }
 
     /// Root mean square distance of weighted targets from the true surface.

@@ -120,7 +120,7 @@ TEST(Creases, GoOnWhereTheyAreAlmostSharpAsFarAsTheNextOnes) {
 
 TEST(Creases, WhereTwoMeetAtACornerTheSharpestOtherBorderIsAThird) {
     const auto creasesOf = [](int quads, const std::vector<double>& spokes) {
-        const QuadMesh mesh = testing::star(quads);
+        const QuadMesh mesh = test::star(quads);
         std::vector<double> angles(mesh.n_edges());
         const auto spoke = [&](std::size_t k) {
             return static_cast<std::size_t>(
@@ -128,7 +128,7 @@ TEST(Creases, WhereTwoMeetAtACornerTheSharpestOtherBorderIsAThird) {
         };
         for (std::size_t k = 0; k < spokes.size(); ++k)
             angles[spoke(k)] = spokes[k];
-        const auto borders = borderEdges(mesh, testing::segmentPerQuad(mesh));
+        const auto borders = borderEdges(mesh, test::segmentPerQuad(mesh));
         const BorderMarks marks = markBorders(mesh, borders, angles, 0.6);
         std::string creases;
         for (std::size_t k = 0; k < spokes.size(); ++k)
@@ -375,7 +375,7 @@ TEST(NormalLimits, OfLatticeLinesAreThoseOfCreasesAlongThese) {
 
 TEST(SmoothFit, FollowsNormalsThatTurnEvenly) {
     const QuadMesh mesh = makeShape("torus", {.around = 30});
-    const Surfaces surfaces = fitSurfaces(mesh, testing::cheapestLayout(mesh), dihedralAngles(mesh), {});
+    const Surfaces surfaces = fitSurfaces(mesh, test::cheapestLayout(mesh), dihedralAngles(mesh), {});
     EXPECT_LT(surfaces.deviation.maxRelative, 1e-3);
     EXPECT_LT(surfaces.deviation.largestNormalDeviation, 0.2) << "the tolerance alone lets it be 2 degrees";
     EXPECT_LT(controlPointCount(surfaces.patches), 250U);
@@ -456,7 +456,7 @@ TEST(SmoothFit, EndsWithWhatItHasWhenItIsStopped) {
 
 TEST(SmoothFit, DoesNotDependOnWhereTheModelLies) {
     const QuadMesh mesh = makeShape("genus2", {});
-    const Layout layout = testing::cheapestLayout(mesh);
+    const Layout layout = test::cheapestLayout(mesh);
     const Surfaces here = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
     QuadMesh far = mesh;
     const Point moved(-4096, 2048, 8192); // hundreds of times the part's size
@@ -517,7 +517,7 @@ QuadMesh turnedShape(const std::string& name, int resolution) {
 
 TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
     const QuadMesh mesh = turnedShape("block", 4);
-    const Layout layout = testing::cheapestLayout(mesh);
+    const Layout layout = test::cheapestLayout(mesh);
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
     EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-12);
     EXPECT_LT(surfaces.deviation.largestNormalAngle, 1e-6);
@@ -533,7 +533,7 @@ TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
 
 TEST(PlanePatches, ArePlaneWhereTheirNeighboursNeedMoreKnotsForIt) {
     const QuadMesh mesh = turnedShape("bracket", 6);
-    const Layout layout = testing::cheapestLayout(mesh);
+    const Layout layout = test::cheapestLayout(mesh);
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
     EXPECT_LE(surfaces.deviation.maxRelative, 0.001);
     const auto planes = std::ranges::count_if(
@@ -543,7 +543,7 @@ TEST(PlanePatches, ArePlaneWhereTheirNeighboursNeedMoreKnotsForIt) {
 
 TEST(PlanePatches, HaveStraightSidesOnTheOutlineOfASheet) {
     const QuadMesh mesh = turnedShape("plate", 2);
-    const Layout layout = testing::cheapestLayout(mesh);
+    const Layout layout = test::cheapestLayout(mesh);
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
     EXPECT_LE(surfaces.deviation.maxRelative, 0.001);
     // The plate reaches from 0 to 5 and from 0 to 3, before it is turned.

@@ -15,10 +15,10 @@ namespace qm {
 namespace {
 
 using Kind = VertexRule::Kind;
+using test::bentFan;
+using test::creasesAndBoundary;
 using test::Grid;
-using testing::bentFan;
-using testing::creasesAndBoundary;
-using testing::segmentPerQuad;
+using test::segmentPerQuad;
 
 std::vector<bool> noCreases(const QuadMesh& mesh) {
     return std::vector<bool>(mesh.n_edges());

@@ -11,7 +11,7 @@
 #include <map>
 #include <utility>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using namespace check;
@@ -545,4 +545,4 @@ TEST(CheckFigures, AcceptsWhatIsTrue) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

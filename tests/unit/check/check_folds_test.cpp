@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using namespace check;
@@ -89,4 +89,4 @@ TEST(CheckFolds, AskNothingOfAQuadThatLiesAgainstAnother) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using namespace check;
@@ -99,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(Check, KnownGraphs,
                          [](const auto& each) { return testName(each.param.name); });
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using namespace check;
@@ -130,4 +130,4 @@ TEST(CheckHistory, TellsPrunedLayouts) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

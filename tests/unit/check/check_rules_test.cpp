@@ -13,7 +13,7 @@
 #include <random>
 #include <set>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using namespace check;
@@ -349,4 +349,4 @@ TEST(CheckRules, AgreeWhereLinesCrossThemselves) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

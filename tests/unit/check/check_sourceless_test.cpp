@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using namespace check;
@@ -84,4 +84,4 @@ TEST_F(SourcelessTube, HasTransversalsFromTrackToTrack) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

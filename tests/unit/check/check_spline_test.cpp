@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using namespace check;
@@ -126,4 +126,4 @@ TEST(CheckDistance, LeavesACornerAlongEitherSide) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using namespace check;
@@ -87,4 +87,4 @@ TEST(CheckTracks, LetsAPrunedLayoutLackTracks) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

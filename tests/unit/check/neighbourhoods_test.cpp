@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 using namespace check;
@@ -45,4 +45,4 @@ TEST(Neighbourhoods, KnowsBothSidesOfEveryStep) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

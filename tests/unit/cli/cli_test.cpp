@@ -27,8 +27,8 @@ namespace {
 
 namespace files = std::filesystem;
 using qm::OutputFile;
-using qm::testing::messageOf;
-using qm::testing::TemporaryFolder;
+using qm::test::messageOf;
+using qm::test::TemporaryFolder;
 
 std::size_t entries(const TemporaryFolder& folder) {
     const files::directory_iterator all(folder.file(""));

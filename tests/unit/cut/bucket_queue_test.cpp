@@ -5,7 +5,7 @@
 #include <queue>
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 TEST(BucketQueue, HasTheOrderOfAHeapWhateverItsSteps) {
@@ -41,4 +41,4 @@ TEST(BucketQueue, HasTheOrderOfAHeapWhateverItsSteps) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

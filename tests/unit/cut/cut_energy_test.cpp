@@ -13,7 +13,7 @@
 #include <map>
 #include <numbers>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 CutProblem problemOf(const QuadMesh& mesh, const std::vector<VertexId>& extraordinary,
@@ -149,4 +149,4 @@ TEST(CutEnergy, IsFiniteOnMeshesWithoutSizeAndWithWeightsWithoutBound) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

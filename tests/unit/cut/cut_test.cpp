@@ -15,7 +15,7 @@
 #include <map>
 #include <set>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr std::array everyKind{Terminals::irregular, Terminals::farthest, Terminals::box};
@@ -399,4 +399,4 @@ TEST(Cut, SimplifiesRealMeshes) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 /// The largest distance, found by sweeping from every vertex.
@@ -95,4 +95,4 @@ TEST(FarthestPair, OfPointsInOnePlaceIsSome) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

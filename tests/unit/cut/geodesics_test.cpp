@@ -12,7 +12,7 @@
 #include <functional>
 #include <numbers>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 double norm(const Point& point) {
@@ -298,4 +298,4 @@ TEST(CoarseDistances, DoNotReachOtherComponents) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 TEST(PieceDivision, BeginsWithTheWholeMesh) {
@@ -93,4 +93,4 @@ TEST(LabelComponents, AreNumberedByTheirLowestVertices) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

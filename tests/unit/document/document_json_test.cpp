@@ -20,7 +20,7 @@ namespace {
 using qm::Json;
 using qm::parseJson;
 using qm::printJson;
-using qm::testing::messageOf;
+using qm::test::messageOf;
 
 std::string refusal(const std::string& text) {
     return messageOf([&] { (void)parseJson(text); });

@@ -22,8 +22,8 @@ using qm::at;
 using qm::Document;
 using qm::Json;
 using qm::Kind;
-using qm::testing::messageOf;
-using qm::testing::sampleDocument;
+using qm::test::messageOf;
+using qm::test::sampleDocument;
 
 class ModelTest : public testing::Test {
 protected:
@@ -40,7 +40,7 @@ protected:
         return text.rfind(start, 0) == 0;
     }
 
-    qm::testing::TemporaryFolder folder;
+    qm::test::TemporaryFolder folder;
 };
 
 TEST_F(ModelTest, EverythingThatIsWrittenReadsBack) {
@@ -148,7 +148,7 @@ TEST_F(ModelTest, CurvesMayBeDeletedAndAdded) {
 }
 
 TEST_F(ModelTest, ACurveMustRunStraightAlongAMeshLine) {
-    const qm::QuadMesh& mesh = qm::testing::sampleMesh();
+    const qm::QuadMesh& mesh = qm::test::sampleMesh();
     const auto withCurve = [&](const std::vector<int>& vertices, int seed) {
         return complaint(Kind::features, [&](Json& root) {
             root["features"]["curves"] = {{{"id", 0}, {"vertices", vertices}, {"seed", seed}}};
@@ -226,7 +226,7 @@ TEST_F(ModelTest, LabelsMayBeEditedAndAreMeasuredAnew) {
 }
 
 TEST_F(ModelTest, LabelsMustBeThere) {
-    const std::string vertices = std::to_string(qm::testing::sampleMesh().n_vertices());
+    const std::string vertices = std::to_string(qm::test::sampleMesh().n_vertices());
     EXPECT_EQ(complaint(Kind::cut,
                         [](Json& root) {
                             root["cut"]["labels"] = {0, 1, 0};
@@ -262,17 +262,15 @@ TEST_F(ModelTest, ConstraintsAreEdgesOfSeparatrices) {
         constrained({{"required", {{{"vertices", way}}}}, {"forbidden", {{{"vertices", {way[0], way[1]}}}}}}),
         "/constraints/forbidden/0/vertices/1: the edge to this vertex is both required and forbidden");
     // An edge that no separatrix touches.
-    std::vector<bool> used(qm::testing::sampleMesh().n_vertices());
+    std::vector<bool> used(qm::test::sampleMesh().n_vertices());
     for (const Json& separatrix : document.root["baseComplex"]["separatrices"])
         for (const int vertex : separatrix["vertices"])
             used[at(vertex)] = true;
-    for (const qm::EdgeId edge : qm::testing::sampleMesh().edges()) {
-        const int a = qm::testing::sampleMesh()
-                          .to_vertex_handle(qm::testing::sampleMesh().halfedge_handle(edge, 0))
-                          .idx();
-        const int b = qm::testing::sampleMesh()
-                          .to_vertex_handle(qm::testing::sampleMesh().halfedge_handle(edge, 1))
-                          .idx();
+    for (const qm::EdgeId edge : qm::test::sampleMesh().edges()) {
+        const int a =
+            qm::test::sampleMesh().to_vertex_handle(qm::test::sampleMesh().halfedge_handle(edge, 0)).idx();
+        const int b =
+            qm::test::sampleMesh().to_vertex_handle(qm::test::sampleMesh().halfedge_handle(edge, 1)).idx();
         if (used[at(a)] || used[at(b)]) continue;
         const std::vector<int> curve = document.root["features"]["curves"][0]["vertices"];
         if (std::find(curve.begin(), curve.end(), a) != curve.end()) continue;

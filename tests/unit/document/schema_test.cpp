@@ -19,8 +19,8 @@ namespace {
 using qm::Json;
 using qm::Kind;
 using qm::parseJson;
-using qm::testing::messageOf;
-using qm::testing::sampleDocument;
+using qm::test::messageOf;
+using qm::test::sampleDocument;
 
 constexpr std::array<const char*, 6> kinds{"basecomplex", "features", "cut",
                                            "enumeration", "layout",   "surfaces"};
@@ -88,7 +88,7 @@ TEST(Schemas, OfAKindStandAlone) {
 }
 
 TEST(Schemas, DescribeTheDocumentsThatTheToolsWrite) {
-    const qm::testing::TemporaryFolder folder;
+    const qm::test::TemporaryFolder folder;
     const Json whole = sampleDocument(folder, Kind::surfaces).root;
     for (const std::string kind : kinds) {
         const Json root = sampleDocument(folder, *qm::kindOfName(kind)).root;
@@ -125,7 +125,7 @@ void spoil(const Json& root, const Json& value, const Json::json_pointer& pointe
 }
 
 TEST(Schemas, NoticeAWrongTypeAnywhere) {
-    const qm::testing::TemporaryFolder folder;
+    const qm::test::TemporaryFolder folder;
     const Json root = sampleDocument(folder, Kind::surfaces).root;
     std::vector<std::string> accepted;
     spoil(root, root, Json::json_pointer(), accepted);

@@ -49,7 +49,7 @@ std::vector<ChainId> clusterByDefinition(const Problem& problem, const Assignmen
 TEST(ChainLinks, ClustersGrowByTheClosestChain) {
     int compared = 0, ofTracks = 0;
     for (unsigned number = 0; number < 60; ++number) {
-        const auto drawn = testing::randomProblem(number);
+        const auto drawn = test::randomProblem(number);
         if (!drawn || !drawn->problem) continue;
         const Problem& problem = *drawn->problem;
         const ChainLinks links(problem);

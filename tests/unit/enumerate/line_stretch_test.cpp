@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 /// A line with the given arcs, a source at its beginning and possibly one at its end.
@@ -116,4 +116,4 @@ TEST(LineStretch, ObeysDemands) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 class ListGraphs : public ::testing::Test {
@@ -100,4 +100,4 @@ TEST_F(ListGraphs, AsksWhetherToStopThroughout) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

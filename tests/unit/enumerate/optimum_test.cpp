@@ -12,7 +12,7 @@
 #include <optional>
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr unsigned cases = 400;
@@ -231,4 +231,4 @@ TEST(IntegerProgram, KnowsWhatASolutionCostsAndWhetherItIsAllowed) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 // Squares of the plane with seven columns and seven rows of vertices; these tests number vertex (x, y) as 10
@@ -117,4 +117,4 @@ TEST_F(PlainGraph, OnAnEdgeBetweenTwoSourcesTheLowerOneMoves) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

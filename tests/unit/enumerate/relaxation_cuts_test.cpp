@@ -15,7 +15,7 @@
 #include <array>
 #include <random>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 TEST(AcyclicGraph, LeavesOutWhatWouldCloseALoop) {
@@ -174,4 +174,4 @@ TEST(RelaxationCuts, EveryGraphObeysThem) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 /// A search that treats a whole problem as one part.
@@ -220,4 +220,4 @@ TEST_F(NearStart, StopsWhenItIsAskedTo) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 Decision about(int variable) {
@@ -46,4 +46,4 @@ TEST(SearchTree, HandsOutTheLowestBoundAndThenTheYoungest) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -16,7 +16,7 @@
 #include <set>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 /// A mesh with random costs, and its plain graph.
@@ -109,4 +109,4 @@ TEST(Optimum, EndsAtALimitOfWorkWithTheBestSoFar) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

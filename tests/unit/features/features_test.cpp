@@ -12,7 +12,7 @@
 #include <numbers>
 #include <set>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr double sharp = 1;
@@ -307,4 +307,4 @@ TEST(Features, AgreeWithTheLetterOfTheMethod) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr double sharp = 1, flat = 0, dear = 1, cheap = -1;
@@ -169,4 +169,4 @@ TEST(Components, AreCutEachForItself) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

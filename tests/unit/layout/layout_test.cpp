@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 Layout layoutAlong(const QuadMesh& mesh, const std::vector<Path>& paths) {
@@ -169,4 +169,4 @@ TEST(LayoutQuality, TakesNoCrossingForATJoint) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -34,9 +34,9 @@ TEST(BoundBelow, IsAFaultWhereAGraphIsCheaper) {
 /// A part with random costs and its plain motorcycle graph.
 struct PlainCase {
     explicit PlainCase(unsigned number, int edges = 3, std::size_t seeds = 6)
-        : mesh(testing::quadMesh(testing::polycube(testing::bump(), edges))) {
+        : mesh(test::quadMesh(test::polycube(test::bump(), edges))) {
         std::mt19937 random(number);
-        complex = buildBaseComplex(mesh, testing::randomSeeds(mesh, seeds, random));
+        complex = buildBaseComplex(mesh, test::randomSeeds(mesh, seeds, random));
         std::uniform_real_distribution<double> cost(-1, 2);
         costs.resize(mesh.n_edges());
         std::ranges::generate(costs, [&] { return cost(random); });
@@ -56,7 +56,7 @@ TEST(MoveCuts, MakesGraphsCheaperAndLeavesThemValid) {
     for (unsigned number = 0; number < 20; ++number) {
         const PlainCase plain(number);
         const WindowResult moved = moveCuts(plain.space, plain.present, 40, {});
-        EXPECT_TRUE(testing::isMotorcycleGraph(plain.space.graph, moved.present)) << number;
+        EXPECT_TRUE(test::isMotorcycleGraph(plain.space.graph, moved.present)) << number;
         const double before = costOf(plain.space, plain.present), after = costOf(plain.space, moved.present);
         EXPECT_LE(after, before + 1e-9) << number;
         cheaper += after < before - 1e-9 ? 1 : 0;
@@ -85,7 +85,7 @@ TEST(SearchWhole, FindsTheCheapestGraphAndItsBound) {
         const PlainCase plain(number);
         const auto whole = searchWhole(plain.space, plain.present);
         ASSERT_TRUE(whole) << number;
-        EXPECT_TRUE(testing::isMotorcycleGraph(plain.space.graph, whole->present)) << number;
+        EXPECT_TRUE(test::isMotorcycleGraph(plain.space.graph, whole->present)) << number;
         const Problem problem = makeProblem(wholeInput(plain.space));
         const double cheapest = costOf(problem, findOptimum(problem, {}).graphs.front());
         EXPECT_LE(whole->lowerBound, cheapest + 1e-6) << number;
@@ -99,7 +99,7 @@ TEST(SearchWhole, RelaxesOnlyTheRootOfLargerMeshes) {
     ASSERT_GT(makeProblem(wholeInput(larger.space)).arcs.size(), 2500U);
     const auto whole = searchWhole(larger.space, larger.present);
     ASSERT_TRUE(whole);
-    EXPECT_TRUE(testing::isMotorcycleGraph(larger.space.graph, whole->present));
+    EXPECT_TRUE(test::isMotorcycleGraph(larger.space.graph, whole->present));
     const double cost = costOf(larger.space, whole->present);
     EXPECT_LT(cost, costOf(larger.space, larger.present) - 1);
     EXPECT_LE(whole->lowerBound, cost + 1e-6);
@@ -133,7 +133,7 @@ TEST(GraphImprover, TellsOfEveryCheaperGraphAndEndsWithTheOptimum) {
         EXPECT_LE(improver.improvements(), improver.windows());
         const OptimumResult found = improver.searchTree(control, control);
         EXPECT_TRUE(found.complete);
-        EXPECT_TRUE(testing::isMotorcycleGraph(plain.space.graph, improver.present()));
+        EXPECT_TRUE(test::isMotorcycleGraph(plain.space.graph, improver.present()));
         EXPECT_NEAR(costOf(plain.space, improver.present()), found.lowerBound, 1e-6);
         known.setBound(found.lowerBound);
         EXPECT_FALSE(known.control().stopRequested());
@@ -163,7 +163,7 @@ TEST(GraphImprover, OnlyRelaxesLargeMeshes) {
             EXPECT_TRUE(found.openParts.empty());
             EXPECT_EQ(found.relaxed.size(), makeProblem(wholeInput(plain.space)).domains.size());
             improver.searchWindows(found.relaxed, patientWindows(), control);
-            EXPECT_TRUE(testing::isMotorcycleGraph(plain.space.graph, improver.present()));
+            EXPECT_TRUE(test::isMotorcycleGraph(plain.space.graph, improver.present()));
             EXPECT_LE(costOf(plain.space, improver.present()), before + 1e-9);
             EXPECT_LE(found.lowerBound, optimum + 1e-6);
             EXPECT_FALSE(known.control().stopRequested());

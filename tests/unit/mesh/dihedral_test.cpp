@@ -108,7 +108,7 @@ TEST(EdgeCosts, OfACubeAddUpToTwelveRightAngles) {
 }
 
 TEST(EdgeCosts, OfASkewedCubeKnownFromElsewhere) {
-    const auto bytes = testing::sharedFile("dev/cube6.off");
+    const auto bytes = test::sharedFile("dev/cube6.off");
     if (!bytes) GTEST_SKIP() << "no shared meshes";
     double sum = 0;
     for (const double cost : edgeCosts(dihedralAngles(readMesh(*bytes, "cube6.off").mesh), {}))

@@ -17,7 +17,7 @@
 namespace qm {
 namespace {
 
-using namespace testing;
+using namespace test;
 
 // ------------------------------------------------------------------------------------------ what is read
 
@@ -294,7 +294,7 @@ TEST(WriteObj, KeepsFirstVerticesAndIsolatedOnes) {
 TEST(BuiltMesh, IsConsistent) {
     for (const ShapeKind& kind : shapeKinds()) {
         const QuadMesh mesh = makeShape(kind.name, {.resolution = 3});
-        testing::expectConsistent(mesh);
+        test::expectConsistent(mesh);
     }
 }
 
@@ -320,16 +320,16 @@ TEST(BuiltMesh, OfManyFacesAtOneEdgeIsRefusedQuickly) {
 // ------------------------------------------------------------------------------------------- real meshes
 
 TEST(SharedMeshes, OfDevAreAccepted) {
-    const auto names = testing::sharedFiles("dev");
+    const auto names = test::sharedFiles("dev");
     if (names.empty()) GTEST_SKIP() << "no shared meshes";
     for (const std::string& name : names) {
         SCOPED_TRACE(name);
-        EXPECT_NO_THROW(testing::expectConsistent(read(*testing::sharedFile(name), name)));
+        EXPECT_NO_THROW(test::expectConsistent(read(*test::sharedFile(name), name)));
     }
 }
 
 TEST(SharedMeshes, OfBadAreRefusedForTheRightReason) {
-    if (testing::sharedFiles("bad").empty()) GTEST_SKIP() << "no shared meshes";
+    if (test::sharedFiles("bad").empty()) GTEST_SKIP() << "no shared meshes";
     const std::map<std::string, std::string> reasons{
         {"empty.obj", "the file is empty"},
         {"flipped_faces.obj", "at 624 edges in all. The option --repair orients them"},
@@ -346,15 +346,15 @@ TEST(SharedMeshes, OfBadAreRefusedForTheRightReason) {
         {"truncated.obj", "face 130 (line 1180): the last line ends after 1 corner"},
     };
     for (const auto& [name, reason] : reasons)
-        EXPECT_TRUE(says(refusal(*testing::sharedFile("bad/" + name), name), reason)) << name;
+        EXPECT_TRUE(says(refusal(*test::sharedFile("bad/" + name), name), reason)) << name;
 }
 
 TEST(SharedMeshes, WithUnusualSyntaxAreTheSame) {
-    const auto plain = testing::sharedFile("dev/fandisk_qex.obj");
+    const auto plain = test::sharedFile("dev/fandisk_qex.obj");
     if (!plain) GTEST_SKIP() << "no shared meshes";
     const QuadMesh expected = read(*plain, "a.obj"),
-                   found = read(*testing::sharedFile("dev/awkward_valid.obj"), "a.obj");
-    EXPECT_LT(testing::largestDistance(found, expected), 1e-5); // its file has fewer digits
+                   found = read(*test::sharedFile("dev/awkward_valid.obj"), "a.obj");
+    EXPECT_LT(test::largestDistance(found, expected), 1e-5); // its file has fewer digits
     EXPECT_EQ(facesOf(found), facesOf(expected));
 }
 
@@ -403,7 +403,7 @@ TEST(MutatedFiles, AreRefusedOrValid) {
             for (const bool repair : {false, true}) {
                 const std::string bytes = mutated(text, engine);
                 try {
-                    testing::expectConsistent(readMesh(bytes, name, {repair}).mesh);
+                    test::expectConsistent(readMesh(bytes, name, {repair}).mesh);
                     ++valid;
                 } catch (const Error&) {
                     ++refused;

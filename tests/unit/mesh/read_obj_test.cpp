@@ -12,7 +12,7 @@
 namespace qm {
 namespace {
 
-using namespace testing;
+using namespace test;
 
 TEST(ReadObj, UnderstandsTextureAndNormalIndices) {
     expectTwoSquares(replaced(twoObj(), "f 1 2 3 4\nf 2 5 6 3", "f 1/1 2/2 3/3 4/4\nf 2/2/1 5//1 6/6/6 3/"),

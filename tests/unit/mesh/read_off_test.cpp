@@ -7,7 +7,7 @@
 namespace qm {
 namespace {
 
-using namespace testing;
+using namespace test;
 
 TEST(ReadOff, UnderstandsTheKindsOfHeader) {
     for (const std::string header :

@@ -7,7 +7,7 @@
 namespace qm {
 namespace {
 
-using namespace testing;
+using namespace test;
 
 TEST(ReadPly, ReadsBinaryOfEveryType) {
     for (const bool little : {true, false})

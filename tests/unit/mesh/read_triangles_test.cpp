@@ -22,7 +22,7 @@ std::string textStl() {
 }
 
 void expectRefused(const std::string& bytes, const std::string& name, const std::string& part) {
-    const std::string message = testing::messageOf([&] { (void)readTriangles(bytes, name); });
+    const std::string message = test::messageOf([&] { (void)readTriangles(bytes, name); });
     EXPECT_EQ(message.find('\n'), std::string::npos) << "one line";
     EXPECT_NE(message.find(part), std::string::npos) << message << " of:\n" << bytes.substr(0, 300);
 }

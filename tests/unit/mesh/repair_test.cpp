@@ -17,18 +17,18 @@
 namespace qm {
 namespace {
 
-using testing::FaceIndices;
-using testing::facesOf;
-using testing::pointsOf;
+using test::FaceIndices;
+using test::facesOf;
+using test::pointsOf;
 
 ReadResult repaired(const std::string& obj) {
     ReadResult result = readMesh(obj, "a.obj", {.repair = true});
-    testing::expectConsistent(result.mesh);
+    test::expectConsistent(result.mesh);
     return result;
 }
 
 std::string refusal(const std::string& obj) {
-    return testing::messageOf([&] { (void)readMesh(obj, "a.obj", {.repair = true}); });
+    return test::messageOf([&] { (void)readMesh(obj, "a.obj", {.repair = true}); });
 }
 
 void expectReport(const RepairReport& report, std::size_t welded, std::size_t degenerate,
@@ -306,16 +306,16 @@ TEST(Repair, IsQuickOnVerticesInOnePlace) {
 }
 
 TEST(Repair, OfSharedMeshes) {
-    const auto fandisk = testing::sharedFile("dev/fandisk_qex.obj");
+    const auto fandisk = test::sharedFile("dev/fandisk_qex.obj");
     if (!fandisk) GTEST_SKIP() << "no shared meshes";
     const QuadMesh expected = readMesh(*fandisk, "a.obj").mesh;
 
-    const ReadResult welded = repaired(*testing::sharedFile("dev/unwelded.obj"));
+    const ReadResult welded = repaired(*test::sharedFile("dev/unwelded.obj"));
     expectReport(welded.repair, 2689, 0, 0, 0);
     expectSameShape(welded.mesh, expected);
 
-    const ReadResult turned = repaired(*testing::sharedFile("bad/flipped_faces.obj"));
-    EXPECT_LT(testing::largestDistance(turned.mesh, expected), 1e-5); // its file has fewer digits
+    const ReadResult turned = repaired(*test::sharedFile("bad/flipped_faces.obj"));
+    EXPECT_LT(test::largestDistance(turned.mesh, expected), 1e-5); // its file has fewer digits
     auto cyclic = [](const QuadMesh& mesh) {
         auto faces = facesOf(mesh);
         for (auto& face : faces)
@@ -324,13 +324,13 @@ TEST(Repair, OfSharedMeshes) {
     };
     EXPECT_EQ(cyclic(turned.mesh), cyclic(expected));
 
-    const ReadResult holes = repaired(*testing::sharedFile("bad/repeated_vertex_face.obj"));
+    const ReadResult holes = repaired(*test::sharedFile("bad/repeated_vertex_face.obj"));
     expectReport(holes.repair, 0, 2, 0, 0);
     EXPECT_EQ(holes.mesh.n_faces(), 895U);
 
-    expectReport(repaired(*testing::sharedFile("bad/gmsh_nut.obj")).repair, 0, 0, 0, 12);
-    expectReport(repaired(*testing::sharedFile("dev/bearing_plate_qf_5k.obj")).repair, 1, 1, 0, 0);
-    EXPECT_NE(refusal(*testing::sharedFile("bad/moebius.obj")).find("one side only"), std::string::npos);
+    expectReport(repaired(*test::sharedFile("bad/gmsh_nut.obj")).repair, 0, 0, 0, 12);
+    expectReport(repaired(*test::sharedFile("dev/bearing_plate_qf_5k.obj")).repair, 1, 1, 0, 0);
+    EXPECT_NE(refusal(*test::sharedFile("bad/moebius.obj")).find("one side only"), std::string::npos);
 }
 
 TEST(Repair, OfDamagedMeshesIsValidOrRefused) {
@@ -379,7 +379,7 @@ TEST(Repair, SplitsVerticesWhereSeveralFansMeet) {
     // Two squares that touch at vertex 3 (the third point), and a third one that also touches there.
     const std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\n"
                              "v 0 1 1\nv 0 2 1\nv 1 2 1\nf 1 2 3 4\nf 3 5 6 7\nf 3 10 9 8\n";
-    const std::string problem = testing::messageOf([&] { (void)readMesh(text, "touching.obj"); });
+    const std::string problem = test::messageOf([&] { (void)readMesh(text, "touching.obj"); });
     EXPECT_NE(problem.find("vertex 2 (line 3): the faces around it fall into several fans. The surface "
                            "is no manifold there. The option --repair splits the vertex"),
               std::string::npos)

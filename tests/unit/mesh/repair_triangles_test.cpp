@@ -195,7 +195,7 @@ TEST(RepairTriangles, AMoebiusStripIsRefusedWithThePlace) {
         strip.faces.push_back({k, k + 1, k + 2});
     strip.faces.push_back({6, 7, 1}); // ends exchanged
     strip.faces.push_back({7, 1, 0});
-    const std::string message = testing::messageOf([&] { repairTriangles(strip); });
+    const std::string message = test::messageOf([&] { repairTriangles(strip); });
     EXPECT_NE(message.find("at ("), std::string::npos);
     EXPECT_NE(message.find("one side only"), std::string::npos);
 }

@@ -69,7 +69,7 @@ TEST(Roundness, IsTheSameInBothDirectionsAndOnTheBoundaryOfTheMesh) {
 
 std::size_t creases(const QuadMesh& mesh) {
     const BorderMarks marks =
-        markBorders(mesh, borderEdges(mesh, testing::segmentPerQuad(mesh)), dihedralAngles(mesh), 0.45);
+        markBorders(mesh, borderEdges(mesh, test::segmentPerQuad(mesh)), dihedralAngles(mesh), 0.45);
     return static_cast<std::size_t>(std::ranges::count_if(
         mesh.edges(), [&](EdgeId edge) { return marks.isCrease[at(edge)] && !mesh.is_boundary(edge); }));
 }

@@ -104,8 +104,8 @@ TEST(StraightOn, EndsAtExtraordinaryVertices) {
 
 TEST(Paths, HaveOneVertexMoreThanHalfedges) {
     const QuadMesh mesh = flatGrid(3, 3);
-    const testing::Path path{4, 5, 6, 10};
-    EXPECT_EQ(testing::numbers(verticesAlong(mesh, testing::trackAlong(mesh, path).halfedges)), path);
+    const test::Path path{4, 5, 6, 10};
+    EXPECT_EQ(test::numbers(verticesAlong(mesh, test::trackAlong(mesh, path).halfedges)), path);
     EXPECT_TRUE(verticesAlong(mesh, {}).empty());
 }
 

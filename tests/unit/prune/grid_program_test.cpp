@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 struct Pruning {
@@ -137,4 +137,4 @@ TEST(GridProgram, KeepsATrackWhoseEndWouldLeaveASharpTurn) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 PruneOptions bold(double eta = -1e9) {
@@ -221,4 +221,4 @@ TEST(PruneSmooth, MeasuresAtAnExtraordinaryVertexToo) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

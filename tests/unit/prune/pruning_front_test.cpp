@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 FrontPoint point(std::size_t segments, double cost, double sharpness) {
@@ -40,4 +40,4 @@ TEST(PruningFront, TakesThePlaceOfAllThatItIsAsGoodAs) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 constexpr int side = 4; // quads along each side; vertex (i, j) is 5 j + i
@@ -113,4 +113,4 @@ TEST(TurnedSides, PruningKeepsTheTracksUnlessSidesNeedNotBeSmooth) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

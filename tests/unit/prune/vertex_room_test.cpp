@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace qm::testing {
+namespace qm::test {
 namespace {
 
 std::vector<RoomSector> roomOf(const QuadMesh& mesh, double minCorner,
@@ -78,4 +78,4 @@ TEST(VertexRoom, ASideThatIsLeftAloneTurnsByARightAngleAtMost) {
 }
 
 } // namespace
-} // namespace qm::testing
+} // namespace qm::test

@@ -33,7 +33,7 @@ QuadMesh withCutOffCorners(QuadMesh mesh) {
 }
 
 double maxDistance(const QuadMesh& mesh, const std::string& part) {
-    const auto surface = testing::trueSurface(part);
+    const auto surface = test::trueSurface(part);
     double max = 0;
     for (const VertexId vertex : mesh.vertices())
         max = std::max(max, surface->nearest(mesh.point(vertex)).distance);
@@ -144,8 +144,7 @@ TEST(DrawToScan, BoundariesGoToTheScansOwn) {
     const auto off = [&](const QuadMesh& of) {
         double sum = 0;
         for (const VertexId vertex : of.vertices())
-            if (of.is_boundary(vertex))
-                sum += testing::trueSurface("plate")->nearest(of.point(vertex)).distance;
+            if (of.is_boundary(vertex)) sum += test::trueSurface("plate")->nearest(of.point(vertex)).distance;
         return sum;
     };
     EXPECT_LT(off(drawn), 0.3 * off(mesh));

@@ -38,7 +38,7 @@ bool isClosed(const QuadMesh& mesh) {
 /// The enclosed volume by the divergence theorem; positive if faces are counter-clockwise seen from outside.
 double volume(const QuadMesh& mesh) {
     double six = 0;
-    for (const auto& face : testing::facesOf(mesh)) {
+    for (const auto& face : test::facesOf(mesh)) {
         const auto at = [&](std::size_t k) { return mesh.point(VertexId(face[k])); };
         six += at(0) | (at(1) % at(2));
         six += at(0) | (at(2) % at(3));
@@ -63,7 +63,7 @@ TEST(Shapes, HaveTheTopologyTheyClaim) {
         for (const int resolution : {1, 2, 3, 5, 8}) {
             SCOPED_TRACE(name + " " + std::to_string(resolution));
             const QuadMesh mesh = makeShape(name, {.resolution = resolution});
-            testing::expectConsistent(mesh);
+            test::expectConsistent(mesh);
             EXPECT_EQ(eulerNumber(mesh), shape.euler);
             EXPECT_EQ(isClosed(mesh), shape.closed);
             EXPECT_EQ(extraordinaryVertices(mesh).size(), shape.extraordinary);
@@ -175,9 +175,9 @@ TEST(Shapes, HaveAsManyQuadsAroundAsAskedFor) {
         for (const int around : {4, 6, 10, 30, 34}) {
             SCOPED_TRACE(name + std::to_string(around));
             const QuadMesh mesh = makeShape(name, {.around = around});
-            testing::expectConsistent(mesh);
+            test::expectConsistent(mesh);
             EXPECT_EQ(extraordinaryVertices(mesh).size(), expectedShapes().at(name).extraordinary);
-            const auto surface = testing::trueSurface(name);
+            const auto surface = test::trueSurface(name);
             int onCircle = 0; // vertices on the circle in which a plane cuts the part
             for (const VertexId vertex : mesh.vertices()) {
                 const Point& point = mesh.point(vertex);
@@ -201,7 +201,7 @@ TEST(Shapes, HaveAsManyQuadsAroundAsAskedFor) {
 TEST(TrueSurfaces, HoldAllVerticesOfTheirParts) {
     int parts = 0;
     for (const ShapeKind& kind : shapeKinds()) {
-        const auto surface = testing::trueSurface(kind.name);
+        const auto surface = test::trueSurface(kind.name);
         if (!surface) continue;
         ++parts;
         for (const int resolution : {1, 5}) {
@@ -217,7 +217,7 @@ TEST(TrueSurfaces, AreTheLimitOfFineMeshes) {
     // Inside faces, the distance of a mesh from the surface falls with the square of its edges; the normals
     // are those of the mesh's faces.
     for (const ShapeKind& kind : shapeKinds()) {
-        const auto surface = testing::trueSurface(kind.name);
+        const auto surface = test::trueSurface(kind.name);
         if (!surface) continue;
         SCOPED_TRACE(kind.name);
         const auto error = [&](int resolution) {
@@ -237,7 +237,7 @@ TEST(TrueSurfaces, AreTheLimitOfFineMeshes) {
 
 TEST(TrueSurfaces, HaveDistancesThatAreKnown) {
     const auto distance = [](const char* name, const Point& point) {
-        return testing::trueSurface(name)->nearest(point).distance;
+        return test::trueSurface(name)->nearest(point).distance;
     };
     EXPECT_NEAR(distance("sphere", {0, 0, 0}), 1, 1e-15);
     EXPECT_NEAR(distance("sphere", {0, 0, -3}), 2, 1e-15);
@@ -251,7 +251,7 @@ TEST(TrueSurfaces, HaveDistancesThatAreKnown) {
     EXPECT_NEAR(distance("block", {1.5, 1.5, 3}), std::hypot(0.95, 1.35) - 0.35, 1e-15) << "above it";
     EXPECT_NEAR(distance("genus3", {4.5, 1.5, 0.5}), 0.75, 1e-15);
     EXPECT_NEAR(distance("plate", {2.5, 1.6, 0}), 0.2, 1e-15);
-    EXPECT_FALSE(testing::trueSurface("random"));
+    EXPECT_FALSE(test::trueSurface("random"));
 }
 
 TEST(Scans, HaveAboutAsManyTrianglesAsAskedFor) {
@@ -295,12 +295,12 @@ TEST(RandomShapes, AreManifoldsForEverySeed) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(seed);
         const QuadMesh closed = makeShape("random", {.resolution = 2, .seed = seed, .voxels = 60});
-        testing::expectConsistent(closed);
+        test::expectConsistent(closed);
         EXPECT_TRUE(isClosed(closed));
         EXPECT_GT(volume(closed), 30);
         eulerNumbers.insert(eulerNumber(closed));
         const QuadMesh open = makeShape("random-open", {.resolution = 2, .seed = seed, .voxels = 60});
-        testing::expectConsistent(open);
+        test::expectConsistent(open);
         EXPECT_FALSE(isClosed(open));
         EXPECT_LT(open.n_faces(), closed.n_faces());
     }
