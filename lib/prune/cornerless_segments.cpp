@@ -11,6 +11,8 @@
 namespace qm {
 namespace {
 
+using OneIf = GridProgram::Indicator::OneIf;
+
 /// Adds a row: the column is 1 unless one of the arcs is in.
 void requireSome(GridProgram& grids, const std::vector<ArcId>& arcs, ColumnId column) {
     IntegerProgram::Row row{{column}, {1}, 1, infinity};
@@ -59,14 +61,14 @@ void addAnnuli(const QuadMesh& mesh, const std::vector<ArcId>& arcOf, GridProgra
     const AnnulusBands bands = annulusBands(mesh, arcOf);
     std::vector<ColumnId> columns; // for every band, 1 if it lies in an annulus
     for (const std::vector<ArcId>& across : bands.across) {
-        columns.push_back(grids.addIndicator({across, false}, 4));
+        columns.push_back(grids.addIndicator({across, OneIf::noneIsIn}, 4));
         requireSome(grids, across, columns.back());
     }
     for (const AnnulusBands::Joint& joint : bands.joints) {
         std::vector<ArcId> arcs = joint.arcs;
         for (const std::size_t band : joint.bands)
             arcs.insert(arcs.end(), bands.across[band].begin(), bands.across[band].end());
-        const ColumnId column = grids.addIndicator({std::move(arcs), false}, -4);
+        const ColumnId column = grids.addIndicator({std::move(arcs), OneIf::noneIsIn}, -4);
         for (const std::size_t band : joint.bands)
             grids.program.rows.push_back({{columns[band], column}, {1, -1}, 0, infinity});
         excludeAll(grids, joint.arcs, column);
@@ -82,7 +84,7 @@ void addSeedLines(const QuadMesh& mesh, const BaseComplex& complex, const ArcGra
         // grid.
         const bool loop = !mesh.is_boundary(mesh.from_vertex_handle(line.front()));
         const ColumnId column =
-            grids.addIndicator({arcs, false}, loop ? 4 : 0, sumAlong(mesh, line, edgeCosts));
+            grids.addIndicator({arcs, OneIf::noneIsIn}, loop ? 4 : 0, sumAlong(mesh, line, edgeCosts));
         requireSome(grids, arcs, column);
         excludeAll(grids, arcs, column);
     }

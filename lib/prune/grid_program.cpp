@@ -59,7 +59,8 @@ private:
     void addCorners(const Junction& junction) {
         std::vector<ArcId> arcs;
         std::ranges::copy_if(junction.arcs, std::back_inserter(arcs), &ArcId::valid);
-        IntegerProgram::Row row{{result_.addIndicator({arcs, true}, -4)}, {-2}, 0, infinity};
+        IntegerProgram::Row row{
+            {result_.addIndicator({arcs, GridProgram::Indicator::OneIf::anyIsIn}, -4)}, {-2}, 0, infinity};
         for (const ArcId arc : arcs) {
             result_.quarters[columnOf(arc)] += 2;
             row.add(columnOf(arc), 1);
@@ -149,7 +150,7 @@ ColumnValues GridProgram::valuesOf(const std::vector<bool>& present) const {
     ColumnValues values(present.begin(), present.end());
     for (const Indicator& indicator : indicators) {
         const bool any = std::ranges::any_of(indicator.arcs, [&](ArcId arc) { return present[arc.idx()]; });
-        values.push_back(any == indicator.ofAny ? 1 : 0);
+        values.push_back(any == (indicator.when == Indicator::OneIf::anyIsIn) ? 1 : 0);
     }
     return values;
 }

@@ -33,8 +33,9 @@ struct GridProgram {
 
     /// A column that follows from the arcs.
     struct Indicator {
+        enum class OneIf { anyIsIn, noneIsIn };
         std::vector<ArcId> arcs;
-        bool ofAny = true; ///< 1 if any of them is in, else 1 if none is
+        OneIf when = OneIf::anyIsIn;
     };
 
     IntegerProgram program; ///< minimises G_T, with the lines that components without tracks get
