@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 7> tools{"qm-basecomplex", "qm-features",
                                                 "qm-merge",       "qm-prune",    "qm-bspline"};
 
 std::size_t rankOf(std::string_view tool) {
-    return positionIn(tools, std::find(tools.begin(), tools.end(), tool));
+    return positionIn(tools, std::ranges::find(tools, tool));
 }
 
 Kind readKind(const Json& root) {
@@ -97,7 +97,7 @@ std::string printDocument(Document document) {
     for (const std::string& key : keys)
         if (const auto member = members.find(key); member != members.end()) move(*member);
     for (auto& member : members)
-        if (std::find(keys.begin(), keys.end(), member.first) == keys.end()) move(member);
+        if (std::ranges::find(keys, member.first) == keys.end()) move(member);
     return printJson(Json(std::move(ordered)));
 }
 

@@ -17,9 +17,8 @@ colourNumbers(std::size_t items, const std::vector<std::pair<std::uint32_t, std:
     // Those with many neighbours choose first.
     std::vector<std::uint32_t> order(items);
     std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [&around](std::uint32_t a, std::uint32_t b) {
-        return around[a].size() > around[b].size();
-    });
+    std::ranges::stable_sort(order, std::ranges::greater{},
+                             [&around](std::uint32_t item) { return around[item].size(); });
     std::vector<std::uint32_t> colours(items, colourCount);
     std::array<std::size_t, colourCount> used{};
     for (const std::uint32_t item : order) {

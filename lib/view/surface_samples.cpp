@@ -108,7 +108,7 @@ std::vector<double> normalAngles(const QuadMesh& mesh, const Layout& layout,
         const auto angles =
             smooth ? measureBorder(border, layout, patches, samples).angles : std::vector<double>{};
         largest.push_back(angles.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                         : *std::max_element(angles.begin(), angles.end()));
+                                         : std::ranges::max(angles));
     }
     return largest;
 }

@@ -91,7 +91,7 @@ bool Builder::key(string_t& key) {
     const auto sameKey = [&key](const auto& member) { return member.first == key; };
     bool isNew = true;
     if (level.members.size() < small) {
-        isNew = std::none_of(level.members.begin(), level.members.end(), sameKey);
+        isNew = std::ranges::none_of(level.members, sameKey);
     } else {
         if (level.known.empty())
             for (const auto& member : level.members)
@@ -122,7 +122,7 @@ bool Builder::parse_error(std::size_t where, const std::string&, const nlohmann:
 /// Line and column of a byte, which is counted from 1.
 std::string lineAndColumn(std::string_view text, std::size_t position) {
     const std::string_view before = text.substr(0, position == 0 ? 0 : position - 1);
-    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const auto line = std::ranges::count(before, '\n') + 1;
     const std::size_t lineStart = before.rfind('\n');
     const std::size_t column =
         lineStart == std::string_view::npos ? before.size() : before.size() - lineStart - 1;
@@ -132,7 +132,7 @@ std::string lineAndColumn(std::string_view text, std::size_t position) {
 } // namespace
 
 Json parseJson(std::string_view text) {
-    if (std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) != 0; }))
+    if (std::ranges::all_of(text, [](unsigned char c) { return std::isspace(c) != 0; }))
         throw Error("", "is empty", "Perhaps the tool before it in the pipe failed");
     Builder builder;
     if (!Json::sax_parse(text.begin(), text.end(), &builder))

@@ -30,8 +30,8 @@ valijson::adapters::DerefProxy<ObjectMember> Object::const_iterator::operator->(
 Object::const_iterator Object::find(const std::string& key) const {
     if (place_.value == nullptr) return end();
     const auto& members = place_.value->get_ref<const Json::object_t&>();
-    const auto found = std::find_if(members.begin(), members.end(),
-                                    [&key](const auto& member) { return member.first == key; });
+    const auto found =
+        std::ranges::find_if(members, [&key](const auto& member) { return member.first == key; });
     return {place_, positionIn(members, found)};
 }
 

@@ -72,15 +72,7 @@ bool ColumnState::set(ColumnId column, ArcState value) {
 
 bool ColumnState::settle() {
     for (;;) {
-        if (!arcsToColumns()) return false;
-        while (propagated_ < columnTrail_.size() || demandsSeen_ < demandTrail_.size()) {
-            if (demandsSeen_ < demandTrail_.size()) {
-                if (!visitRow(demandTrail_[demandsSeen_++])) return false;
-                continue;
-            }
-            for (const RowId row : rowsOf_[columnTrail_[propagated_++]])
-                if (!visitRow(row)) return false;
-        }
+        if (!arcsToColumns() || !rowsToColumns()) return false;
         const std::size_t known = arcs_.mark().assignment.assignments;
         if (!columnsToArcs()) return false;
         if (arcs_.mark().assignment.assignments == known && seen_.assignment.assignments == known)
@@ -92,6 +84,19 @@ bool ColumnState::arcsToColumns() {
     for (const VariableId variable : arcs_.assignedSince(seen_))
         if (!passOn(variable)) return false;
     seen_ = arcs_.mark();
+    return true;
+}
+
+/// Visits the rows that are demanded, or have columns with values, since the last time.
+bool ColumnState::rowsToColumns() {
+    while (propagated_ < columnTrail_.size() || demandsSeen_ < demandTrail_.size()) {
+        if (demandsSeen_ < demandTrail_.size()) {
+            if (!visitRow(demandTrail_[demandsSeen_++])) return false;
+            continue;
+        }
+        for (const RowId row : rowsOf_[columnTrail_[propagated_++]])
+            if (!visitRow(row)) return false;
+    }
     return true;
 }
 

@@ -49,6 +49,7 @@ public:
 private:
     bool set(ColumnId column, ArcState value);
     bool settle();
+    bool rowsToColumns();
     bool arcsToColumns();
     bool passOn(VariableId variable);
     bool columnsToArcs();

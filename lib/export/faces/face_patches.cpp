@@ -41,7 +41,7 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
                 throw Error(name, "is neither cubic nor of a lower degree without inner knots",
                             "Fit the surfaces anew");
             const std::size_t due = at(patch.count[d]) + at(degree) + 1;
-            if (knots.size() != due || !std::is_sorted(knots.begin(), knots.end()) ||
+            if (knots.size() != due || !std::ranges::is_sorted(knots) ||
                 (lower && clampedDegree(knots) != degree) ||
                 domain(knots, degree) !=
                     std::array<double, 2>{0, static_cast<double>(layout.segments[k].size[d])})
