@@ -48,6 +48,13 @@ bool isCurve(const QuadMesh& mesh, const std::array<HalfedgeId, 2>& creases) {
            straightness(mesh, creases) >= std::cos(cornerAngle);
 }
 
+bool isRegularCrease(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule) {
+    if (rule.kind != VertexRule::Kind::crease) return false;
+    if (mesh.is_boundary(vertex)) return mesh.valence(vertex) == 3;
+    const HalfedgeId next = mesh.ccw_rotated_halfedge_handle(rule.along[0]);
+    return mesh.valence(vertex) == 4 && mesh.ccw_rotated_halfedge_handle(next) == rule.along[1];
+}
+
 std::vector<VertexRule> vertexRules(const QuadMesh& mesh, const Layout& layout,
                                     const std::vector<bool>& sharp) {
     std::vector<VertexRule> rules(mesh.n_vertices());

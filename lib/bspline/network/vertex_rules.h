@@ -27,6 +27,9 @@ struct VertexRule {
 /// between them, so that no quad alone has to fill a flat angle, and they turn by at most `cornerAngle`.
 [[nodiscard]] bool isCurve(const QuadMesh& mesh, const std::array<HalfedgeId, 2>& creases);
 
+/// Whether a curve of creases passes a vertex with two quads on either side, or on the only one.
+[[nodiscard]] bool isRegularCrease(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule);
+
 /// The rule of every vertex. With two or more creases (the mesh boundary is one) it is a corner, unless
 /// - a side of a segment passes straight through along two creases: there the patch has only one tangent. If
 ///   several pass, the straightest is the curve, the first of them where they are equal; or

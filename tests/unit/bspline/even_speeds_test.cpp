@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "bspline/reference/lattice/lagrange.h"
 #include "bspline/reference/limit/even_speeds.h"
 #include "bspline/splines/evaluate.h"
 #include "support/grid_layout.h"
@@ -20,7 +21,7 @@ using test::stirred;
 TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
     const LimitSample sample(stirred(shape("torus", 4), 0.04, [](const Point& point) { return point; }));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
     const auto unevenness = [&](const MeshLattice& lattice) {
         double sum = 0;
         for (const HalfedgeId side : sample.mesh.halfedges()) {
@@ -41,7 +42,7 @@ TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
 TEST(EvenSpeeds, LeaveEvenLinesAsTheyAre) {
     const LimitSample sample(shape("tube", 4));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
     for (std::size_t k = 0; k < even.numbers().count(); ++k)
         EXPECT_LT((even.point(k) - sample.limit.point(k)).norm(), 1e-3);
 }
@@ -55,7 +56,7 @@ TEST(EvenSpeeds, AreThoseOfTheirEdgesWhereQuadsAreBentToo) {
                           }};
     const LimitSample sample(test::makeMesh(grid));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
     const auto maxSpeed = [&](const MeshLattice& lattice) {
         double max = 0;
         for (const HalfedgeId side : sample.mesh.halfedges())
@@ -81,7 +82,7 @@ QuadMesh unevenTube() {
 TEST(EvenSpeeds, BoundariesFollowTheirCurveWhereTheirEdgesAreUneven) {
     const LimitSample sample(unevenTube());
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
     // Along a circle derivatives are perpendicular to the radius.
     const auto maxRise = [&](const MeshLattice& lattice) {
         double max = 0;
@@ -97,12 +98,32 @@ TEST(EvenSpeeds, BoundariesFollowTheirCurveWhereTheirEdgesAreUneven) {
     EXPECT_LT(maxRise(even), 0.5 * maxRise(sample.limit));
 }
 
+TEST(EvenSpeeds, TurnsVaryEvenlyFromLineToLine) {
+    // Parabolas along j that are flat at the boundary j = 0, and bend more and more along i.
+    const test::Grid grid{8, 5, [](double i, double j) { return Point(i, j, 0.02 * i * j * j); }};
+    const LimitSample sample(test::makeMesh(grid));
+    MeshLattice even = sample.limit;
+    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
+    // The slope at the boundary, along a row of the face between columns 3 and 4.
+    const HalfedgeId side = sample.mesh.find_halfedge(VertexId(3), VertexId(4));
+    ASSERT_FALSE(sample.mesh.is_boundary(side));
+    const auto slope = [&](const MeshLattice& lattice, int along) {
+        return derivativeAtEnd(lattice.squares(), 0, [&](std::size_t k) {
+            return lattice.point(lattice.numbers()(side, along, static_cast<int>(k)));
+        })[2];
+    };
+    EXPECT_GT(slope(sample.limit, 2), 0.02);
+    EXPECT_LT(std::abs(slope(even, 2)), 0.002);
+    const double quarter = 0.75 * slope(even, 0) + 0.25 * slope(even, 4);
+    EXPECT_NEAR(slope(even, 1), quarter, 1e-4) << "no steps at the lines";
+}
+
 TEST(EvenSpeeds, AreTheSameOnAnyNumberOfThreads) {
     const LimitSample sample(shape("genus2", 6));
     MeshLattice one = sample.limit;
     MeshLattice three = sample.limit;
-    evenSpeeds(one, sample.rules, sample.noPlanes(), 1);
-    evenSpeeds(three, sample.rules, sample.noPlanes(), 3);
+    evenSpeeds(one, sample.rules, sample.isCrease, sample.noPlanes(), 1);
+    evenSpeeds(three, sample.rules, sample.isCrease, sample.noPlanes(), 3);
     for (std::size_t k = 0; k < one.numbers().count(); ++k)
         ASSERT_EQ(one.point(k), three.point(k));
 }

@@ -36,7 +36,7 @@ public:
             passages_.push_back(passageOf(rules[vertex].along));
     }
 
-    /// The equations are those of natural cubic splines. Each sweep at least halves the error.
+    /// The equations are those of cubic splines that end as parabolas. Each sweep at least halves the error.
     void solve() {
         constexpr int sweeps = 45;
         for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -85,8 +85,8 @@ private:
                 passage.neighbours[k] = places_[next];
                 passage.signs[k] = beyond[1 - k] == back ? 1 : -1;
             } else { // its derivative is expressed by this one
-                passage.weight -= other / 2;
-                passage.side -= 1.5 * other * slope;
+                passage.weight -= other;
+                passage.side -= 2 * other * slope;
             }
         }
         passage.derivative = passage.side / passage.weight;

@@ -11,8 +11,8 @@ namespace qm {
 
 /// The direction in which a curve of creases passes each vertex: that of the cubic spline with continuous
 /// second derivatives through the curve's vertices, whose parameters advance by the lengths of edges. Where
-/// all edges are equally long it is the direction of a subdivision curve. Ends of curves are free of
-/// curvature. Linear in the mesh.
+/// all edges are equally long it is the direction of a subdivision curve, except near its ends: curves end as
+/// parabolas. Linear in the mesh.
 /// \return by vertex: a unit vector into the first edge of the rule's `along`; zero if no curve passes, or if
 ///         one of both edges has no length
 [[nodiscard]] std::vector<Point> creaseDirections(const QuadMesh& mesh, const std::vector<VertexRule>& rules);

@@ -6,6 +6,7 @@
 #include "bspline/reference/lattice/hermite.h"
 #include "bspline/reference/lattice/lagrange.h"
 #include "bspline/reference/lattice/sound_faces.h"
+#include "bspline/reference/limit/parabolic_ends.h"
 #include "mesh/parallel_elements.h"
 
 #include <algorithm>
@@ -33,14 +34,18 @@ struct Change {
 
 class EvenSpeeds {
 public:
-    explicit EvenSpeeds(MeshLattice& lattice)
-        : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), steps_(at(lattice.squares())),
-          changes_(mesh_.n_halfedges()), hermite_(hermiteByStep(lattice.squares())) {}
+    EvenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp)
+        : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), rules_(rules), sharp_(sharp),
+          steps_(at(lattice.squares())), changes_(mesh_.n_halfedges()),
+          hermite_(hermiteByStep(lattice.squares())) {}
 
-    void run(const std::vector<VertexRule>& rules, const PlaneCorners& corners, unsigned jobs) {
+    void run(const PlaneCorners& corners, unsigned jobs) {
         const std::vector<bool> isSound = soundVertices(mesh_, jobs);
         const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, notFolded);
-        const std::vector<Point> directions = creaseDirections(mesh_, rules);
+        const std::vector<Point> directions = creaseDirections(mesh_, rules_);
+        for (const Turn& turn : parabolicEnds(before_, rules_, sharp_))
+            if (isSound[at(mesh_.from_vertex_handle(turn.leaving))])
+                changes_[at(turn.leaving)].turn += corners.within(turn.leaving, turn.by);
         parallelForVertices(mesh_, jobs, [&](VertexId vertex) {
             const std::size_t k = at(vertex);
             if (!isUnfolded[k]) return;
@@ -49,8 +54,8 @@ public:
                     changes_[at(leaving)].share = shareAtExtraordinary(leaving);
                 return;
             }
-            if (isSound[k] && isRegularCrease(vertex, rules[k]))
-                turn(rules[k], corners.within(rules[k].along[0], directions[k]));
+            if (isSound[k] && isRegularCrease(mesh_, vertex, rules_[k]))
+                turn(rules_[k], corners.within(rules_[k].along[0], directions[k]));
             for (const HalfedgeId leaving : mesh_.voh_range(vertex))
                 changes_[at(leaving)].share = shareOf(leaving);
         });
@@ -61,14 +66,6 @@ public:
 private:
     [[nodiscard]] Point before(HalfedgeId side, std::size_t i, std::size_t j) const {
         return before_.point(before_.numbers()(side, static_cast<int>(i), static_cast<int>(j)));
-    }
-
-    /// Whether turning the crease changes the planes of no two faces between which the surface is smooth.
-    [[nodiscard]] bool isRegularCrease(VertexId vertex, const VertexRule& rule) const {
-        if (rule.kind != VertexRule::Kind::crease) return false;
-        if (mesh_.is_boundary(vertex)) return mesh_.valence(vertex) == 3;
-        const HalfedgeId next = mesh_.ccw_rotated_halfedge_handle(rule.along[0]);
-        return mesh_.ccw_rotated_halfedge_handle(next) == rule.along[1];
     }
 
     /// Turns the derivatives along a crease into a direction.
@@ -134,15 +131,44 @@ private:
                               hermite_[k].slope[1][0] * differences[1]);
     }
 
+    /// A change at a corner of a face, and how its turn varies across the face, from the first side on.
+    struct Corner {
+        Change change;
+        Point slope;
+    };
     /// The changes along both sides of a face that run in one direction, by end and side: those at the
     /// beginnings of the first side, and of the one opposite to it.
-    using Changes = std::array<std::array<Change, 2>, 2>;
+    using Changes = std::array<std::array<Corner, 2>, 2>;
 
     [[nodiscard]] Changes changesAlong(HalfedgeId side) const {
-        const HalfedgeId far = mesh_.next_halfedge_handle(mesh_.next_halfedge_handle(side));
-        const auto change = [&](HalfedgeId leaving) { return changes_[at(leaving)]; };
-        return {{{change(side), change(mesh_.opposite_halfedge_handle(far))},
-                 {change(mesh_.opposite_halfedge_handle(side)), change(far)}}};
+        const auto along = [&](HalfedgeId leaving) -> Corner {
+            return {changes_[at(leaving)], slopeToLeft(leaving)};
+        };
+        const auto against = [&](HalfedgeId leaving) -> Corner {
+            return {changes_[at(leaving)], -slopeToLeft(leaving)};
+        };
+        const HalfedgeId far = acrossQuad(mesh_, side);
+        return {
+            {{along(side), along(far)},
+             {against(mesh_.opposite_halfedge_handle(side)), against(mesh_.opposite_halfedge_handle(far))}}};
+    }
+
+    /// How the turn of a mesh line varies from line to line, at the beginning of a halfedge, for each line to
+    /// the left: by the lines on both sides. Without this turns would run up to each vertex in steps.
+    [[nodiscard]] Point slopeToLeft(HalfedgeId leaving) const {
+        if (sharp_[at(mesh_.edge_handle(leaving))]) return {0, 0, 0};
+        const HalfedgeId left = acrossQuad(mesh_, leaving);
+        const HalfedgeId right =
+            mesh_.opposite_halfedge_handle(acrossQuad(mesh_, mesh_.opposite_halfedge_handle(leaving)));
+        const Point difference = changes_[at(left)].turn - changes_[at(right)].turn;
+        if (difference == Point(0, 0, 0)) return difference;
+        // Between smooth vertices, where lines go on, the other end of each turns as well.
+        const auto goesOn = [&](HalfedgeId line) {
+            return rules_[at(mesh_.from_vertex_handle(line))].kind == VertexRule::Kind::smooth &&
+                   continuesStraight(mesh_, mesh_.from_vertex_handle(line));
+        };
+        const bool isEnd = rules_[at(mesh_.from_vertex_handle(leaving))].kind != VertexRule::Kind::smooth;
+        return isEnd || (goesOn(left) && goesOn(right)) ? difference / 2 : Point(0, 0, 0);
     }
 
     void moveFace(HalfedgeId first) {
@@ -167,16 +193,21 @@ private:
     /// The last side of a face runs against v, at u = 0: the same changes by end and side of v.
     [[nodiscard]] static Changes turned(const Changes& changes) { return {changes[1], changes[0]}; }
 
-    [[nodiscard]] Change between(const std::array<Change, 2>& changes, std::size_t step) const {
-        const double ofFirst = hermite_[step].value[0][0];
-        const double ofOther = hermite_[step].value[1][0];
-        return {ofFirst * changes[0].share + ofOther * changes[1].share,
-                ofFirst * changes[0].turn + ofOther * changes[1].turn};
+    [[nodiscard]] Change between(const std::array<Corner, 2>& corners, std::size_t step) const {
+        Change sum;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double value = hermite_[step].value[k][0];
+            sum.share += value * corners[k].change.share;
+            sum.turn += value * corners[k].change.turn + hermite_[step].slope[k][0] * corners[k].slope;
+        }
+        return sum;
     }
 
     MeshLattice& lattice_;
     const MeshLattice before_;
     const QuadMesh& mesh_;
+    const std::vector<VertexRule>& rules_;
+    const std::vector<bool>& sharp_;
     std::size_t steps_;
     std::vector<Change> changes_; ///< by halfedge: of the derivative at its beginning
     std::vector<Hermite> hermite_;
@@ -184,9 +215,9 @@ private:
 
 } // namespace
 
-void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const PlaneCorners& corners,
-                unsigned jobs) {
-    EvenSpeeds(lattice).run(rules, corners, jobs);
+void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
+                const PlaneCorners& corners, unsigned jobs) {
+    EvenSpeeds(lattice, rules, sharp).run(corners, jobs);
 }
 
 } // namespace qm

@@ -14,10 +14,12 @@ namespace qm {
 /// one may be much shorter than the other, and so waves along both. Here the surface leaves each vertex along
 /// each edge at the speed of an arc between the edge's ends, but no faster than a much shorter edge before it
 /// on the same line allows, and along creases in the direction that the lengths of edges demand (see
-/// `creaseDirections`), within the planes that bind it; vertices stay, and so do tangent planes but at
-/// creases. Nothing changes at extraordinary vertices, and where a quad is folded; directions change only
-/// where all quads are sound (see `soundFaces`). Linear in the mesh.
-void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const PlaneCorners& corners,
-                unsigned jobs);
+/// `creaseDirections`), within the planes that bind it. Near their ends lines also turn as parabolas do (see
+/// `parabolicEnds`). Vertices stay, and so do tangent planes elsewhere. Speeds change little at extraordinary
+/// vertices, and not where a quad is folded; directions only where all quads are sound (see `soundFaces`).
+/// Linear in the mesh.
+/// \param sharp  by edge: creases, and the mesh boundary
+void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
+                const PlaneCorners& corners, unsigned jobs);
 
 } // namespace qm

@@ -31,7 +31,7 @@ MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& ru
     unfold(lattice, rules, sharp, nullptr, ofLimit, jobs);
     const PlaneCorners corners(lattice, rules, sharp, maxFlatness * boundingBox(mesh).diagonal(), jobs);
     layInPlanes(lattice, corners, sharp, jobs);
-    evenSpeeds(lattice, rules, corners, jobs);
+    evenSpeeds(lattice, rules, sharp, corners, jobs);
     minimiseBending(lattice, rules, corners, jobs);
     unfold(lattice, rules, sharp, &corners, afterEvening, jobs);
     return lattice;

@@ -12,11 +12,12 @@ namespace qm {
 
 /// The limit of Catmull-Clark subdivision that interpolates the mesh's vertices, with creases at given edges,
 /// and corners where the rules have them; components without such a limit are drawn through their vertices
-/// (see `interpolatingControlMesh`, `drawThroughVertices`). It is plane over plane parts of the mesh, and
-/// tangent to them beside (see `layInPlanes`). Its tangent planes at smooth vertices are tilted so that it
-/// waves less (see `minimiseBending`). Segments have bitwise equal lattice points on their common borders.
-/// Lattice points at vertices equal the vertices. Over quads that are not folded, the surface is not either
-/// (see `unfold`). Linear in the mesh.
+/// (see `interpolatingControlMesh`, `drawThroughVertices`). It keeps its curvature up to creases (see
+/// `parabolicEnds`). It is plane over plane parts of the mesh, and tangent to them beside (see
+/// `layInPlanes`). Its tangent planes at smooth vertices are tilted so that it waves less (see
+/// `minimiseBending`). Segments have bitwise equal lattice points on their common borders. Lattice points at
+/// vertices equal the vertices. Over quads that are not folded, the surface is not either (see `unfold`).
+/// Linear in the mesh.
 /// \param rules  by vertex, see `vertexRules`
 /// \param sharp  by edge: creases, and the mesh boundary
 /// \param steps  lattice steps per quad: a power of two, at least 2
