@@ -36,18 +36,16 @@ std::vector<Sector> sectors(const VertexFan& fan) {
 
 /// The angle of each patch of a sector that has a corner at the vertex, if those whose sides pass straight
 /// through take half a turn each; nothing if that leaves no room.
-std::optional<double> angleOfCorners(const VertexFan& fan, const Sector& sector, double total) {
+std::optional<double> angleOfCorners(const VertexFan& fan, const Sector& sector, int halfTurns) {
     int corners = 0;
     for (std::size_t k = 0; k < sector.size; ++k) {
         if (fan.faces[(sector.begin + k) % fan.borders.size()] == 1)
             ++corners;
         else
-            total -= std::numbers::pi;
+            --halfTurns;
     }
-    constexpr double minAngle = 0.1; // radians; a narrower corner is none
-    if (corners == 0) return total > -minAngle ? std::optional(0.0) : std::nullopt;
-    const double angle = total / corners;
-    return angle > minAngle ? std::optional(angle) : std::nullopt;
+    if (corners == 0) return halfTurns >= 0 ? std::optional(0.0) : std::nullopt;
+    return halfTurns > 0 ? std::optional(halfTurns * std::numbers::pi / corners) : std::nullopt;
 }
 
 /// The direction in which a patch leaves the vertex and a border on one side of it: along the border on its
@@ -149,7 +147,6 @@ VertexFan vertexFan(const QuadMesh& mesh, const BorderMarks& marks, VertexId ver
 }
 
 std::vector<double> tangentRatios(const QuadMesh& mesh, const VertexFan& fan, const VertexRule& rule) {
-    constexpr double halfTurn = std::numbers::pi;
     const std::size_t count = fan.borders.size();
     const auto isPassed = [&](std::size_t border) {
         return rule.kind == VertexRule::Kind::crease &&
@@ -160,7 +157,7 @@ std::vector<double> tangentRatios(const QuadMesh& mesh, const VertexFan& fan, co
         const std::size_t end = sector.begin + sector.size;
         const bool isCorner = !sector.isWhole && !(isPassed(sector.begin) && isPassed(end % count));
         std::optional<double> angle;
-        if (!isCorner) angle = angleOfCorners(fan, sector, sector.isWhole ? 2 * halfTurn : halfTurn);
+        if (!isCorner) angle = angleOfCorners(fan, sector, sector.isWhole ? 2 : 1);
         const auto balanced = isCorner ? balancedRatios(mesh, fan, sector) : std::nullopt;
         for (std::size_t k = sector.begin + (sector.isWhole ? 0 : 1); k < end; ++k) {
             const std::size_t border = k % count;

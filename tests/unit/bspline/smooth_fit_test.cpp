@@ -70,6 +70,18 @@ TEST(VertexFan, KnowsWhereSidesPassStraightThrough) {
         EXPECT_EQ(ratio, 0) << "all is regular there";
 }
 
+TEST(VertexFan, ManyEdgesShareOneTurn) {
+    // With any other ratio no edges but those without length would close around the vertex.
+    for (const int quads : {5, 62, 63, 1000}) {
+        const QuadMesh mesh = test::star(quads);
+        const SmoothNetwork network = networkOf(mesh, test::segmentPerQuad(mesh));
+        const auto ratios = tangentRatios(mesh, vertexFan(mesh, network.marks, VertexId(0)), {});
+        ASSERT_EQ(ratios.size(), static_cast<std::size_t>(quads));
+        for (const double ratio : ratios)
+            EXPECT_NEAR(ratio, 2 * std::cos(2 * std::numbers::pi / quads), 1e-12) << quads;
+    }
+}
+
 TEST(Creases, ShortCurvesThatEndInNothingAreNoise) {
     // A sheet of two patches with a ridge along their border j = 3, from i = `from` to i = `to`.
     const auto creasesOf = [](double from, double to, double height) {
