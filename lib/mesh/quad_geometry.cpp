@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 
 namespace qm {
 namespace {
@@ -27,6 +29,37 @@ std::optional<Point> unit(const Point& vector) {
 Point crossProduct(const Triangle& triangle) {
     const auto& [a, b, c] = triangle;
     return scaled(b - a) % scaled(c - a);
+}
+
+/// Of a quad's corner, seen along the normal in its middle.
+struct Angle {
+    double sine = 0;
+    double cosine = 0;
+};
+
+/// In the order of `cornersOf`; those beside an edge without length are 0. None if there is no normal.
+std::optional<std::array<Angle, 4>> cornerAngles(const QuadMesh& mesh, FaceId face) {
+    const std::optional<Point> normal = middleNormal(mesh, face);
+    if (!normal) return std::nullopt;
+    const auto corners = cornersOf(mesh, face);
+    std::array<Angle, 4> angles;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Point corner = mesh.point(corners[k]);
+        const Point onward = scaled(mesh.point(corners[(k + 1) % 4]) - corner);
+        const Point back = scaled(mesh.point(corners[(k + 3) % 4]) - corner);
+        const double lengths = onward.norm() * back.norm();
+        if (lengths > 0) angles[k] = {((onward % back) | *normal) / lengths, (onward | back) / lengths};
+    }
+    return angles;
+}
+
+/// Below this a corner is folded. Where many edges leave a vertex, the angles between them are narrow, and
+/// are believed down to a quarter of what they are in a regular spread.
+double minSine(const QuadMesh& mesh, VertexId corner, const Angle& angle) {
+    constexpr double ofAll = 0.1;
+    constexpr double share = 0.25;
+    if (angle.cosine < 0) return ofAll;
+    return std::min(ofAll, share * 2 * std::numbers::pi / mesh.valence(corner));
 }
 
 } // namespace
@@ -74,23 +107,18 @@ std::optional<Point> middleNormal(const QuadMesh& mesh, FaceId face) {
 }
 
 std::optional<double> minCornerSine(const QuadMesh& mesh, FaceId face) {
-    const std::optional<Point> normal = middleNormal(mesh, face);
-    if (!normal) return std::nullopt;
-    const auto corners = cornersOf(mesh, face);
-    double minSine = 1;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const Point corner = mesh.point(corners[k]);
-        const Point onward = scaled(mesh.point(corners[(k + 1) % 4]) - corner);
-        const Point back = scaled(mesh.point(corners[(k + 3) % 4]) - corner);
-        const double lengths = onward.norm() * back.norm();
-        minSine = std::min(minSine, lengths > 0 ? ((onward % back) | *normal) / lengths : 0);
-    }
-    return minSine;
+    const auto corners = cornerAngles(mesh, face);
+    if (!corners) return std::nullopt;
+    return std::ranges::min(*corners, {}, &Angle::sine).sine;
 }
 
 bool isFolded(const QuadMesh& mesh, FaceId face) {
-    constexpr double minSine = 0.1;
-    return !(minCornerSine(mesh, face).value_or(-1) > minSine);
+    const auto angles = cornerAngles(mesh, face);
+    if (!angles) return true;
+    const auto corners = cornersOf(mesh, face);
+    for (std::size_t k = 0; k < 4; ++k)
+        if (!((*angles)[k].sine > minSine(mesh, corners[k], (*angles)[k]))) return true;
+    return false;
 }
 
 double meanEdgeLength(const QuadMesh& mesh) {

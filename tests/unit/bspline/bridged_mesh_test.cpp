@@ -4,10 +4,13 @@
 #include "mesh/dihedral.h"
 #include "mesh/quad_geometry.h"
 #include "support/grid_layout.h"
+#include "support/random_graph.h"
+#include "support/star_mesh.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace qm {
 namespace {
@@ -38,6 +41,41 @@ Point overRoof(double i, double j) {
     return {i, j, -2 * std::max(0.0, j - folded)};
 }
 
+/// A disk of quads around one vertex whose other angles are 120 degrees, or a little less.
+QuadMesh fan(int quads) {
+    QuadMesh mesh = test::star(quads);
+    const double half = std::numbers::pi / quads;
+    for (int k = 1 + quads; k <= 2 * quads; ++k)
+        mesh.set_point(VertexId(k), (std::cos(half) + std::sin(half) / std::sqrt(3)) *
+                                        mesh.point(VertexId(k)).normalized());
+    return mesh;
+}
+
+/// A plane cap of triangles around one vertex, each divided into three quads, and the wall below it.
+QuadMesh drum(int triangles) {
+    check::CheckedMesh mesh{{{0, 0, 0}}, {}};
+    const auto ring = [&](int count, double first, double radius, double height) {
+        const auto begin = static_cast<int>(mesh.points.size());
+        for (int k = 0; k < count; ++k) {
+            const double angle = 2 * std::numbers::pi * (k + first) / count;
+            mesh.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
+        }
+        return [=](int k) { return begin + k % count; };
+    };
+    const auto spoke = ring(triangles, 0, 1.0 / 2, 0);
+    const auto middle = ring(triangles, 0.5, 2.0 / 3, 0);
+    const auto rim = ring(2 * triangles, 0, 1, 0);
+    const auto floor = ring(2 * triangles, 0, 1, -0.5);
+    for (int k = 0; k < triangles; ++k) {
+        mesh.quads.push_back({0, spoke(k), middle(k), spoke(k + 1)});
+        mesh.quads.push_back({spoke(k), rim(2 * k), rim(2 * k + 1), middle(k)});
+        mesh.quads.push_back({middle(k), rim(2 * k + 1), rim(2 * k + 2), spoke(k + 1)});
+    }
+    for (int k = 0; k < 2 * triangles; ++k)
+        mesh.quads.push_back({rim(k), floor(k), floor(k + 1), rim(k + 1)});
+    return test::quadMesh(mesh);
+}
+
 std::vector<bool> noCreases(const QuadMesh& mesh) {
     return std::vector<bool>(mesh.n_edges());
 }
@@ -54,6 +92,25 @@ TEST(IsFolded, WhereACornerIsFlatOrTurnedOrWithoutArea) {
     EXPECT_EQ(count(3.8, 3.8), 1U);
     EXPECT_EQ(count(4, 3), 2U) << "two vertices in one place";
     EXPECT_EQ(count(4.5, 3), 2U) << "those on the other side are only wide";
+}
+
+TEST(IsFolded, NotWhereManyEdgesLeaveNarrowAngles) {
+    const auto count = [](int quads, double secondEdge) {
+        QuadMesh mesh = fan(quads);
+        // Turns every second edge, so that quads are narrow and wide in turn.
+        const double angle = secondEdge * 2 * std::numbers::pi / quads;
+        for (int k = 2; k <= quads; k += 2) {
+            const Point point = mesh.point(VertexId(k));
+            mesh.set_point(VertexId(k), {point[0] * std::cos(angle) - point[1] * std::sin(angle),
+                                         point[0] * std::sin(angle) + point[1] * std::cos(angle), 0});
+        }
+        return foldedQuads(mesh);
+    };
+    EXPECT_EQ(count(20, 0), 0U);
+    EXPECT_EQ(count(100, 0), 0U);
+    EXPECT_EQ(count(1000, 0), 0U);
+    EXPECT_EQ(count(100, 0.3), 0U);
+    EXPECT_EQ(count(100, 0.9), 50U) << "far narrower than a regular spread has them";
 }
 
 TEST(BridgedMesh, MovesNothingWhereNothingIsFolded) {
@@ -94,6 +151,23 @@ TEST(BridgedMesh, LeavesCreasesAndWhatHidesThem) {
     for (const double angle : dihedralAngles(mesh))
         isCrease.push_back(angle > 0.45);
     EXPECT_FALSE(bridgedMesh(mesh, isCrease));
+}
+
+TEST(BridgedMesh, LeavesTheOutlinesOfPlaneQuadsWithFlatCorners) {
+    // Three corners are nearly in a line in every quad along the edge of the cap, but the normals of these
+    // quads are beyond doubt, and so is the crease.
+    constexpr int triangles = 110;
+    const QuadMesh mesh = drum(triangles);
+    ASSERT_EQ(foldedQuads(mesh), static_cast<std::size_t>(2 * triangles));
+    std::vector<bool> isCrease;
+    for (const double angle : dihedralAngles(mesh))
+        isCrease.push_back(angle > 0.45);
+    const QuadMesh bridged = bridgedMesh(mesh, isCrease).value_or(mesh);
+    for (const VertexId vertex : mesh.vertices()) {
+        EXPECT_NEAR(bridged.point(vertex)[2], mesh.point(vertex)[2], 1e-12);
+        if (std::abs(mesh.point(vertex).norm() - 1) > 1e-12) continue;
+        EXPECT_EQ(bridged.point(vertex), mesh.point(vertex));
+    }
 }
 
 TEST(BridgedMesh, SurfacesDoNotFoldWhereTheMeshDoes) {

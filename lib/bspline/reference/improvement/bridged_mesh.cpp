@@ -3,10 +3,13 @@
 #include "base/at.h"
 #include "base/sort_unique.h"
 #include "bspline/reference/improvement/smooth_continuation.h"
+#include "bspline/reference/lattice/bilinear_quad.h"
+#include "bspline/reference/lattice/sound_faces.h"
 #include "mesh/quad_geometry.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <set>
 
@@ -29,7 +32,8 @@ public:
         for (const EdgeId edge : mesh_.edges()) {
             const HalfedgeId halfedge = mesh_.halfedge_handle(edge, 0);
             const auto isBesideFold = [&](HalfedgeId side) {
-                return !mesh_.is_boundary(side) && isFolded_[at(mesh_.face_handle(side))];
+                return !mesh_.is_boundary(side) && isFolded_[at(mesh_.face_handle(side))] &&
+                       !isFlat(mesh_.face_handle(side));
             };
             const bool isHidden =
                 isBesideFold(halfedge) || isBesideFold(mesh_.opposite_halfedge_handle(halfedge));
@@ -50,6 +54,14 @@ public:
 private:
     /// Only of quads that are not folded.
     [[nodiscard]] Point normalOf(FaceId face) const { return *middleNormal(mesh_, face); }
+
+    /// Whether a quad has one normal everywhere, however flat a corner is: creases beside it are real.
+    [[nodiscard]] bool isFlat(FaceId face) const {
+        std::array<Point, 4> corners;
+        std::ranges::transform(cornersOf(mesh_, face), corners.begin(),
+                               [&](VertexId vertex) { return mesh_.point(vertex); });
+        return BilinearQuad(corners).minCosine() > nearlyFlat;
+    }
 
     [[nodiscard]] bool isFixed(VertexId vertex) const { return isFixed_[at(vertex)]; }
 
