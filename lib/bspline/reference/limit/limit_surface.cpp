@@ -4,6 +4,7 @@
 #include "bspline/reference/bending/min_bending.h"
 #include "bspline/reference/lattice/mesh_lattice.h"
 #include "bspline/reference/limit/control_mesh.h"
+#include "bspline/reference/limit/even_poles.h"
 #include "bspline/reference/limit/even_speeds.h"
 #include "bspline/reference/limit/through_vertices.h"
 #include "bspline/reference/limit/unfolded_lattice.h"
@@ -32,6 +33,7 @@ MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& ru
     const PlaneCorners corners(lattice, rules, sharp, maxFlatness * boundingBox(mesh).diagonal(), jobs);
     layInPlanes(lattice, corners, sharp, jobs);
     evenSpeeds(lattice, rules, sharp, corners, jobs);
+    evenPoles(lattice, rules, jobs);
     minimiseBending(lattice, rules, corners, jobs);
     unfold(lattice, rules, sharp, &corners, afterEvening, jobs);
     return lattice;
