@@ -85,6 +85,13 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
     return changed;
 }
 
+/// Whether the present patches have a plan's knots and tangent ratios.
+bool FitState::isSolvedWith(const KnotPlan& plan) const {
+    const std::vector<PatchSpace> spaces = plan.spaces();
+    return std::ranges::equal(spaces, spaces_, {}, &PatchSpace::knots, &PatchSpace::knots) &&
+           std::ranges::equal(plan.runs(), solvedRuns_, {}, &SmoothRun::ratio, &SmoothRun::ratio);
+}
+
 /// A lattice without knots, so that steps are equal, with the reference as its target.
 FitLattice FitState::evenLattice(std::size_t patch) const {
     return makeLattice(sources_[patch], parametersOf(patch, {}));
@@ -125,16 +132,23 @@ void FitState::solveFirst(int slides, const std::function<bool()>& isStopRequest
         quads += segment.faces.size();
     const std::size_t maxControlPoints =
         FirstKnots::maxGrowth * controlPointCount(patches_) + FirstKnots::maxPerQuad * quads;
+    std::vector<bool> begunFor; // those that were folded when patches began anew with the knots they had
     for (int times = 0; times < options_.unfoldings && isFolded(); ++times) {
-        if (isStopRequested()) return;
         if (controlPointCount(patches_) > maxControlPoints) break;
-        if (times < FirstKnots::maxTimes) {
+        const bool fromStart = times < FirstKnots::maxTimes;
+        KnotPlan plan = plan_;
+        if (fromStart) {
+            const std::vector<bool> folded = foldedPatches();
             for (std::size_t k = 0; k < share.size(); ++k)
-                if (errors_[k].anyFolded()) share[k] *= FirstKnots::closer;
-            plan_ = firstKnots(evenLattices(), share);
-        } else if (!refine() && !(allowShorter() && refine())) {
-            break;
+                if (folded[k]) share[k] *= FirstKnots::closer;
+            plan = firstKnots(evenLattices(), share);
+            const bool hasSameKnots = isSolvedWith(plan);
+            if (hasSameKnots && folded == begunFor) continue; // they would fold in the same way
+            begunFor = hasSameKnots ? folded : std::vector<bool>{};
         }
+        if (isStopRequested()) return;
+        plan_ = std::move(plan);
+        if (!fromStart && !refine() && !(allowShorter() && refine())) break;
         beginAnew(slides);
     }
     if (options_.unfoldings == 0 || !isFolded() || isStopRequested()) return;
@@ -220,6 +234,13 @@ void FitState::assess(const std::vector<bool>& isNew) {
         worst_ = std::max(worst_, ofPatch.max());
         excess_ += std::max(0.0, ofPatch.max() - 1);
     }
+}
+
+std::vector<bool> FitState::foldedPatches() const {
+    std::vector<bool> folded;
+    for (const PatchErrors& errors : errors_)
+        folded.push_back(errors.anyFolded());
+    return folded;
 }
 
 bool FitState::isFolded() const {

@@ -92,6 +92,8 @@ private:
     [[nodiscard]] std::array<std::vector<double>, 2>
     parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const;
     [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const;
+    [[nodiscard]] bool isSolvedWith(const KnotPlan& plan) const;
+    [[nodiscard]] std::vector<bool> foldedPatches() const;
     [[nodiscard]] FitLattice evenLattice(std::size_t patch) const;
     [[nodiscard]] std::vector<FitLattice> evenLattices() const;
     bool allowShorter() { return allow(MinInterval::eighth) || allow(MinInterval::thirtySecond); }

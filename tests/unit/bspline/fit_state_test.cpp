@@ -3,9 +3,13 @@
 #include "bspline/reference/limit/limit_surface.h"
 #include "mesh/dihedral.h"
 #include "support/grid_layout.h"
+#include "support/network_of.h"
+#include "support/quad_layout.h"
+#include "support/star_mesh.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -15,7 +19,7 @@ namespace qm {
 namespace {
 
 /// A fit to a waved sheet of two patches.
-class WavedFit : public testing::Test {
+class WavedFit : public ::testing::Test {
 protected:
     explicit WavedFit(double height = 0.3)
         : sheet{24, 8,
@@ -96,6 +100,30 @@ TEST_F(HighWaves, AreNotUnfoldedOnceTheFitIsToStop) {
     options.unfoldings = 0;
     EXPECT_EQ(stopped, first([] { return false; }));
     EXPECT_LT(stopped, unfolded);
+}
+
+TEST(FitState, DoesNotBeginAnewTwiceWithTheSameKnots) {
+    // Patches of one quad, which have no grid lines for more knots, over steep waves.
+    const QuadMesh mesh = test::star(6);
+    const Layout layout = test::segmentPerQuad(mesh);
+    const SmoothNetwork network = test::networkOf(mesh, layout);
+    FitTarget reference{limitSurface(mesh, layout, network.rules, network.marks.isCrease, 4, 1)};
+    constexpr std::array<double, 5> wave{0, 3, 0, -3, 0};
+    for (ReferenceGrid& grid : reference.grids)
+        for (std::size_t k = 0; k < grid.points.size(); ++k)
+            grid.points[k] += Point(0, 0, wave.at(k / grid.columns()) + wave.at(k % grid.columns()));
+    SmoothFitOptions options;
+    options.tolerance = 0.01;
+    options.unfoldings = 3;
+    const Verification verify;
+    FitState state({mesh, layout, network, reference, verify}, options, std::vector<bool>(6), 1);
+    int times = 0;
+    state.solveFirst(1, [&] {
+        ++times;
+        return false;
+    });
+    ASSERT_TRUE(state.isFolded());
+    EXPECT_EQ(times, 2) << "once with the same knots, and once after the last attempt";
 }
 
 } // namespace
