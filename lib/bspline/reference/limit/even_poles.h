@@ -9,7 +9,7 @@
 namespace qm {
 
 /// Smooth interior vertices of more edges than this are poles.
-constexpr unsigned maxEdgesOfOrdinary = 8;
+constexpr unsigned maxEdgesOfOrdinary = 7;
 
 /// Subdivision draws a cone with a blunt tip around a vertex of many edges. Here the surface becomes tangent
 /// to a plane at each pole, leaves it along every edge as evenly as it advances over the edge, and gets the
