@@ -8,6 +8,7 @@
 #include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/reference/limit/parabolic_ends.h"
 #include "mesh/parallel_elements.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <array>
@@ -50,8 +51,7 @@ public:
             const std::size_t k = at(vertex);
             if (!isUnfolded[k]) return;
             if (!mesh_.is_boundary(vertex) && mesh_.valence(vertex) != 4) {
-                for (const HalfedgeId leaving : mesh_.voh_range(vertex))
-                    changes_[at(leaving)].share = shareAtExtraordinary(leaving);
+                shortenAtExtraordinary(leavingFrom(mesh_, mesh_.halfedge_handle(vertex)));
                 return;
             }
             if (isSound[k] && isRegularCrease(mesh_, vertex, rules_[k]))
@@ -98,26 +98,25 @@ private:
         return std::clamp(wanted / speed.norm(), minFactor, maxFactor) - 1;
     }
 
-    /// The same at an extraordinary vertex. Derivatives of a subdivision surface are there what the
-    /// polynomials make of them; they only become shorter, and only beside much shorter edges.
-    [[nodiscard]] double shareAtExtraordinary(HalfedgeId leaving) const {
-        const double speed = before_.derivative(leaving).norm();
-        if (!(speed > 0)) return 0;
-        return std::clamp(maxSpeedUp * lengthBehind(leaving) / speed, minFactor, 1.0) - 1;
+    /// The same for all edges of an extraordinary vertex. Derivatives of a subdivision surface are there what
+    /// the polynomials make of them; they only become shorter, and only beside much shorter edges.
+    void shortenAtExtraordinary(const std::vector<HalfedgeId>& ring) {
+        const std::size_t count = ring.size();
+        for (std::size_t k = 0; k < count; ++k) {
+            const double speed = before_.derivative(ring[k]).norm();
+            if (!(speed > 0)) continue;
+            // Of an odd number of edges, two are opposite.
+            const double behind = std::min(mesh_.calc_edge_length(ring[(k + count / 2) % count]),
+                                           mesh_.calc_edge_length(ring[(k + (count + 1) / 2) % count]));
+            changes_[at(ring[k])].share = std::clamp(maxSpeedUp * behind / speed, minFactor, 1.0) - 1;
+        }
     }
 
-    /// The length of the edge that the line comes over; at an extraordinary vertex the shorter one of the two
-    /// edges opposite. Without limit on the boundary.
+    /// The length of the edge that the line comes over to a regular vertex. Without limit on the boundary.
     [[nodiscard]] double lengthBehind(HalfedgeId leaving) const {
-        const VertexId vertex = mesh_.from_vertex_handle(leaving);
-        if (mesh_.is_boundary(vertex)) return infinity;
-        const auto count = mesh_.valence(vertex);
-        HalfedgeId behind = leaving;
-        for (unsigned k = 0; k < count / 2; ++k)
-            behind = mesh_.ccw_rotated_halfedge_handle(behind);
-        const double length = mesh_.calc_edge_length(behind);
-        if (count % 2 == 0) return length;
-        return std::min(length, mesh_.calc_edge_length(mesh_.ccw_rotated_halfedge_handle(behind)));
+        if (mesh_.is_boundary(mesh_.from_vertex_handle(leaving))) return infinity;
+        const HalfedgeId next = mesh_.ccw_rotated_halfedge_handle(leaving);
+        return mesh_.calc_edge_length(mesh_.ccw_rotated_halfedge_handle(next));
     }
 
     void moveEdge(HalfedgeId side) {
