@@ -57,8 +57,8 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         CheckedShape made =
             checkedShape(mesh, faces, options.analytic ? options.analyticTolerance.length(diagonal) : 0);
         if (options.join) made = merged(std::move(made));
-        if (options.analytic) made = withLooseEdgesDivided(std::move(made));
         made = withTwistedEdgesDivided(std::move(made));
+        if (options.analytic) made = withLooseEdgesDivided(std::move(made));
         Exported result{options.format == ExportFormat::step
                             ? boundaryAsStep(made.boundary, made.origins, options)
                             : shapeAsIges(made.shape, made.origins, options),

@@ -39,22 +39,35 @@ public:
     [[nodiscard]] double farthest() const {
         constexpr int perInterval = 16;
         const std::vector<double> parameters = parametersOf(edge_.curve, perInterval);
-        std::size_t largest = 0;
-        double distance = 0;
-        for (std::size_t k = 0; k < parameters.size(); ++k)
-            if (const double here = at(parameters[k]); here > distance) {
-                distance = here;
-                largest = k;
-            }
-        const double before = parameters[std::max<std::size_t>(largest, 1) - 1];
-        const double after = parameters[std::min(largest + 1, parameters.size() - 1)];
-        constexpr int bits = std::numeric_limits<double>::digits / 2; // an extremum has no more
-        const auto [place, negative] =
-            boost::math::tools::brent_find_minima([&](double t) { return -at(t); }, before, after, bits);
-        return -negative > distance ? place : parameters[largest];
+        std::vector<double> distances(parameters.size());
+        std::ranges::transform(parameters, distances.begin(),
+                               [&](double parameter) { return at(parameter); });
+        const std::size_t last = parameters.size() - 1;
+        // Of two maxima that are nearly equal, the larger one may have the smaller sample.
+        constexpr double nearly = 0.9;
+        const double least = nearly * std::ranges::max(distances);
+        double largest = -1;
+        double place = 0;
+        for (std::size_t k = 0; k <= last; ++k) {
+            const std::size_t before = std::max<std::size_t>(k, 1) - 1;
+            const std::size_t after = std::min(k + 1, last);
+            if (distances[k] < std::max({least, distances[before], distances[after]})) continue;
+            for (const double candidate : {parameters[k], maximum(parameters[before], parameters[after])})
+                if (const double distance = at(candidate); distance > largest) {
+                    largest = distance;
+                    place = candidate;
+                }
+        }
+        return place;
     }
 
 private:
+    [[nodiscard]] double maximum(double begin, double end) const {
+        constexpr int bits = std::numeric_limits<double>::digits / 2; // an extremum has no more
+        return boost::math::tools::brent_find_minima([&](double t) { return -at(t); }, begin, end, bits)
+            .first;
+    }
+
     const BoundaryEdge& edge_;
     std::vector<std::pair<Handle(Geom_Surface), Handle(Geom2d_BSplineCurve)>> surfaces_;
 };
