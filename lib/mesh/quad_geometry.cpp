@@ -41,12 +41,11 @@ struct Angle {
 std::optional<std::array<Angle, 4>> cornerAngles(const QuadMesh& mesh, FaceId face) {
     const std::optional<Point> normal = middleNormal(mesh, face);
     if (!normal) return std::nullopt;
-    const auto corners = cornersOf(mesh, face);
+    const auto points = cornerPoints(mesh, face);
     std::array<Angle, 4> angles;
     for (std::size_t k = 0; k < 4; ++k) {
-        const Point corner = mesh.point(corners[k]);
-        const Point onward = scaled(mesh.point(corners[(k + 1) % 4]) - corner);
-        const Point back = scaled(mesh.point(corners[(k + 3) % 4]) - corner);
+        const Point onward = scaled(points[(k + 1) % 4] - points[k]);
+        const Point back = scaled(points[(k + 3) % 4] - points[k]);
         const double lengths = onward.norm() * back.norm();
         if (lengths > 0) angles[k] = {((onward % back) | *normal) / lengths, (onward | back) / lengths};
     }
@@ -74,13 +73,20 @@ std::array<VertexId, 4> cornersOf(const QuadMesh& mesh, FaceId face) {
     return corners;
 }
 
+std::array<Point, 4> cornerPoints(const QuadMesh& mesh, FaceId face) {
+    std::array<Point, 4> points;
+    std::ranges::transform(cornersOf(mesh, face), points.begin(),
+                           [&](VertexId vertex) { return mesh.point(vertex); });
+    return points;
+}
+
 std::optional<Point> triangleNormal(const Triangle& triangle) {
     return unit(crossProduct(triangle));
 }
 
 std::array<Triangle, 2> halvesOf(const QuadMesh& mesh, FaceId face) {
-    const auto [a, b, c, d] = cornersOf(mesh, face);
-    return {{{mesh.point(a), mesh.point(b), mesh.point(c)}, {mesh.point(a), mesh.point(c), mesh.point(d)}}};
+    const auto [a, b, c, d] = cornerPoints(mesh, face);
+    return {{{a, b, c}, {a, c, d}}};
 }
 
 std::array<std::optional<Point>, 2> triangleNormals(const QuadMesh& mesh, FaceId face) {
@@ -102,8 +108,8 @@ std::optional<Point> quadNormal(const QuadMesh& mesh, FaceId face) {
 }
 
 std::optional<Point> middleNormal(const QuadMesh& mesh, FaceId face) {
-    const auto [a, b, c, d] = cornersOf(mesh, face);
-    return unit(scaled(mesh.point(c) - mesh.point(a)) % scaled(mesh.point(d) - mesh.point(b)));
+    const auto [a, b, c, d] = cornerPoints(mesh, face);
+    return unit(scaled(c - a) % scaled(d - b));
 }
 
 std::optional<double> minCornerSine(const QuadMesh& mesh, FaceId face) {

@@ -11,6 +11,9 @@ namespace qm {
 /// The vertices of a quad in the order of the file.
 [[nodiscard]] std::array<VertexId, 4> cornersOf(const QuadMesh& mesh, FaceId face);
 
+/// Their places.
+[[nodiscard]] std::array<Point, 4> cornerPoints(const QuadMesh& mesh, FaceId face);
+
 using Triangle = std::array<Point, 3>;
 
 /// The unit normal of a triangle; none for a triangle without area.

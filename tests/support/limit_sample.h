@@ -16,6 +16,10 @@
 
 namespace qm::test {
 
+inline std::vector<bool> noCreases(const QuadMesh& mesh) {
+    return std::vector<bool>(mesh.n_edges());
+}
+
 /// Every edge that is a crease or lies on the mesh boundary, by edge.
 inline std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, std::vector<bool> isCrease) {
     for (const EdgeId edge : mesh.edges())
@@ -37,8 +41,10 @@ struct LimitSample {
     std::vector<VertexRule> rules;
     MeshLattice limit;
 
-    explicit LimitSample(QuadMesh given) : mesh(std::move(given)), limit(mesh, {}) {
-        isCrease = creasesAndBoundary(mesh, std::vector<bool>(mesh.n_edges()));
+    explicit LimitSample(const QuadMesh& given) : LimitSample(given, noCreases(given)) {}
+    /// \param creases  by edge, besides the boundary
+    LimitSample(QuadMesh given, const std::vector<bool>& creases)
+        : mesh(std::move(given)), isCrease(creasesAndBoundary(mesh, creases)), limit(mesh, {}) {
         rules = vertexRules(mesh, segmentPerQuad(mesh), isCrease);
         const ControlMesh control = interpolatingControlMesh(mesh, rules);
         MeshLattice lattice(mesh, control.points);

@@ -46,4 +46,28 @@ QuadMesh bentFan(int quads) {
     return mesh;
 }
 
+QuadMesh dividedFan(int triangles, double height, const std::array<FanRing, 4>& rings) {
+    check::CheckedMesh mesh{{{0, 0, height}}, {}};
+    const auto ring = [&](int count, double first, const FanRing& on) {
+        const auto begin = static_cast<int>(mesh.points.size());
+        for (int k = 0; k < count; ++k) {
+            const double angle = 2 * std::numbers::pi * (k + first) / count;
+            mesh.points.push_back({on.radius * std::cos(angle), on.radius * std::sin(angle), on.height});
+        }
+        return [=](int k) { return begin + k % count; };
+    };
+    const auto spoke = ring(triangles, 0, rings[0]);
+    const auto middle = ring(triangles, 0.5, rings[1]);
+    const auto rim = ring(2 * triangles, 0, rings[2]);
+    const auto outer = ring(2 * triangles, 0, rings[3]);
+    for (int k = 0; k < triangles; ++k) {
+        mesh.quads.push_back({0, spoke(k), middle(k), spoke(k + 1)});
+        mesh.quads.push_back({spoke(k), rim(2 * k), rim(2 * k + 1), middle(k)});
+        mesh.quads.push_back({middle(k), rim(2 * k + 1), rim(2 * k + 2), spoke(k + 1)});
+    }
+    for (int k = 0; k < 2 * triangles; ++k)
+        mesh.quads.push_back({rim(k), outer(k), outer(k + 1), rim(k + 1)});
+    return quadMesh(mesh);
+}
+
 } // namespace qm::test

@@ -135,20 +135,21 @@ void FitState::solveFirst(int slides, const std::function<bool()>& isStopRequest
     std::vector<bool> begunFor; // those that were folded when patches began anew with the knots they had
     for (int times = 0; times < options_.unfoldings && isFolded(); ++times) {
         if (controlPointCount(patches_) > maxControlPoints) break;
-        const bool fromStart = times < FirstKnots::maxTimes;
-        KnotPlan plan = plan_;
-        if (fromStart) {
+        std::optional<KnotPlan> plan;
+        if (times < FirstKnots::maxTimes) {
             const std::vector<bool> folded = foldedPatches();
             for (std::size_t k = 0; k < share.size(); ++k)
                 if (folded[k]) share[k] *= FirstKnots::closer;
             plan = firstKnots(evenLattices(), share);
-            const bool hasSameKnots = isSolvedWith(plan);
+            const bool hasSameKnots = isSolvedWith(*plan);
             if (hasSameKnots && folded == begunFor) continue; // they would fold in the same way
             begunFor = hasSameKnots ? folded : std::vector<bool>{};
         }
         if (isStopRequested()) return;
-        plan_ = std::move(plan);
-        if (!fromStart && !refine() && !(allowShorter() && refine())) break;
+        if (plan)
+            plan_ = std::move(*plan);
+        else if (!refine() && !(allowShorter() && refine()))
+            break;
         beginAnew(slides);
     }
     if (options_.unfoldings == 0 || !isFolded() || isStopRequested()) return;

@@ -45,13 +45,13 @@ public:
         const std::size_t last = parameters.size() - 1;
         // Of two maxima that are nearly equal, the larger one may have the smaller sample.
         constexpr double nearly = 0.9;
-        const double least = nearly * std::ranges::max(distances);
+        const double min = nearly * std::ranges::max(distances);
         double largest = -1;
         double place = 0;
         for (std::size_t k = 0; k <= last; ++k) {
             const std::size_t before = std::max<std::size_t>(k, 1) - 1;
             const std::size_t after = std::min(k + 1, last);
-            if (distances[k] < std::max({least, distances[before], distances[after]})) continue;
+            if (distances[k] < std::max({min, distances[before], distances[after]})) continue;
             for (const double candidate : {parameters[k], maximum(parameters[before], parameters[after])})
                 if (const double distance = at(candidate); distance > largest) {
                     largest = distance;

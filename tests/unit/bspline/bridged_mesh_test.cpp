@@ -4,7 +4,7 @@
 #include "mesh/dihedral.h"
 #include "mesh/quad_geometry.h"
 #include "support/grid_layout.h"
-#include "support/random_graph.h"
+#include "support/limit_sample.h"
 #include "support/star_mesh.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +16,7 @@ namespace qm {
 namespace {
 
 using test::Grid;
+using test::noCreases;
 
 constexpr int folded = 3; // both coordinates of the folded vertex, in eight columns and seven rows
 
@@ -53,31 +54,7 @@ QuadMesh fan(int quads) {
 
 /// A plane cap of triangles around one vertex, each divided into three quads, and the wall below it.
 QuadMesh drum(int triangles) {
-    check::CheckedMesh mesh{{{0, 0, 0}}, {}};
-    const auto ring = [&](int count, double first, double radius, double height) {
-        const auto begin = static_cast<int>(mesh.points.size());
-        for (int k = 0; k < count; ++k) {
-            const double angle = 2 * std::numbers::pi * (k + first) / count;
-            mesh.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
-        }
-        return [=](int k) { return begin + k % count; };
-    };
-    const auto spoke = ring(triangles, 0, 1.0 / 2, 0);
-    const auto middle = ring(triangles, 0.5, 2.0 / 3, 0);
-    const auto rim = ring(2 * triangles, 0, 1, 0);
-    const auto floor = ring(2 * triangles, 0, 1, -0.5);
-    for (int k = 0; k < triangles; ++k) {
-        mesh.quads.push_back({0, spoke(k), middle(k), spoke(k + 1)});
-        mesh.quads.push_back({spoke(k), rim(2 * k), rim(2 * k + 1), middle(k)});
-        mesh.quads.push_back({middle(k), rim(2 * k + 1), rim(2 * k + 2), spoke(k + 1)});
-    }
-    for (int k = 0; k < 2 * triangles; ++k)
-        mesh.quads.push_back({rim(k), floor(k), floor(k + 1), rim(k + 1)});
-    return test::quadMesh(mesh);
-}
-
-std::vector<bool> noCreases(const QuadMesh& mesh) {
-    return std::vector<bool>(mesh.n_edges());
+    return test::dividedFan(triangles, 0, {{{1.0 / 2, 0}, {2.0 / 3, 0}, {1, 0}, {1, -0.5}}});
 }
 
 std::size_t foldedQuads(const QuadMesh& mesh) {

@@ -7,6 +7,7 @@
 #include "support/limit_sample.h"
 #include "support/quad_layout.h"
 #include "support/random_graph.h"
+#include "support/star_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -30,27 +31,8 @@ double paraboloid(double radius) {
 
 /// Triangles around one vertex, each divided into three quads, and a ring of quads around them.
 QuadMesh dividedFan(int triangles, const Profile& profile) {
-    check::CheckedMesh mesh{{{0, 0, profile(0)}}, {}};
-    const auto ring = [&](int count, double first, double radius) {
-        const auto begin = static_cast<int>(mesh.points.size());
-        for (int k = 0; k < count; ++k) {
-            const double angle = 2 * std::numbers::pi * (k + first) / count;
-            mesh.points.push_back({radius * std::cos(angle), radius * std::sin(angle), profile(radius)});
-        }
-        return [=](int k) { return begin + k % count; };
-    };
-    const auto spoke = ring(triangles, 0, 0.3);
-    const auto middle = ring(triangles, 0.5, 0.35);
-    const auto inner = ring(2 * triangles, 0, 0.55);
-    const auto outer = ring(2 * triangles, 0, 0.8);
-    for (int k = 0; k < triangles; ++k) {
-        mesh.quads.push_back({0, spoke(k), middle(k), spoke(k + 1)});
-        mesh.quads.push_back({spoke(k), inner(2 * k), inner(2 * k + 1), middle(k)});
-        mesh.quads.push_back({middle(k), inner(2 * k + 1), inner(2 * k + 2), spoke(k + 1)});
-    }
-    for (int k = 0; k < 2 * triangles; ++k)
-        mesh.quads.push_back({inner(k), outer(k), outer(k + 1), inner(k + 1)});
-    return test::quadMesh(mesh);
+    const auto on = [&](double radius) { return test::FanRing{radius, profile(radius)}; };
+    return test::dividedFan(triangles, profile(0), {on(0.3), on(0.35), on(0.55), on(0.8)});
 }
 
 /// Quads around one vertex, each with two of their sides on the boundary, on the unit sphere.

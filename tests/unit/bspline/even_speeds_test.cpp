@@ -15,6 +15,7 @@ namespace qm {
 namespace {
 
 using test::LimitSample;
+using test::noCreases;
 using test::shape;
 using test::stirred;
 
@@ -116,6 +117,31 @@ TEST(EvenSpeeds, TurnsVaryEvenlyFromLineToLine) {
     EXPECT_LT(std::abs(slope(even, 2)), 0.002);
     const double quarter = 0.75 * slope(even, 0) + 0.25 * slope(even, 4);
     EXPECT_NEAR(slope(even, 1), quarter, 1e-4) << "no steps at the lines";
+}
+
+TEST(EvenSpeeds, LeaveTheSurfaceSmoothWhereACreaseEnds) {
+    // A crease along j = 3 that ends at i = 4, with a plane on one side and something round on the other.
+    const test::Grid grid{
+        8, 6, [](double i, double j) { return Point(i, j, 0.05 * std::pow(std::max(0.0, j - 3), 2)); }};
+    const QuadMesh mesh = test::makeMesh(grid);
+    const auto vertex = [](int i, int j) { return VertexId(9 * j + i); };
+    std::vector<bool> creases = noCreases(mesh);
+    for (int i = 0; i < 4; ++i)
+        creases[at(mesh.edge_handle(mesh.find_halfedge(vertex(i, 3), vertex(i + 1, 3))))] = true;
+    const LimitSample sample(mesh, creases);
+    ASSERT_EQ(sample.rules[at(vertex(4, 3))].kind, VertexRule::Kind::dart);
+    MeshLattice even = sample.limit;
+    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
+    // Derivatives across the first smooth edge, on both sides.
+    const HalfedgeId side = sample.mesh.find_halfedge(vertex(4, 3), vertex(5, 3));
+    const HalfedgeId other = sample.mesh.opposite_halfedge_handle(side);
+    const auto across = [&](HalfedgeId from, int along) {
+        return derivativeAtEnd(even.squares(), 0, [&](std::size_t k) {
+            return even.point(even.numbers()(from, along, static_cast<int>(k)));
+        });
+    };
+    for (int along = 1; along < 4; ++along)
+        EXPECT_LT((unit(across(side, along)) + unit(across(other, 4 - along))).norm(), 1e-3) << along;
 }
 
 TEST(EvenSpeeds, AreTheSameOnAnyNumberOfThreads) {

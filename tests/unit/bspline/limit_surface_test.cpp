@@ -37,11 +37,8 @@ using test::bentFan;
 using test::creasesAndBoundary;
 using test::Grid;
 using test::limitSurface;
+using test::noCreases;
 using test::segmentPerQuad;
-
-std::vector<bool> noCreases(const QuadMesh& mesh) {
-    return std::vector<bool>(mesh.n_edges());
-}
 
 std::vector<bool> sharperThan(const QuadMesh& mesh, double angle) {
     std::vector<bool> creases;

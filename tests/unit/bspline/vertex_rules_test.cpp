@@ -18,11 +18,8 @@ using Kind = VertexRule::Kind;
 using test::bentFan;
 using test::creasesAndBoundary;
 using test::Grid;
+using test::noCreases;
 using test::segmentPerQuad;
-
-std::vector<bool> noCreases(const QuadMesh& mesh) {
-    return std::vector<bool>(mesh.n_edges());
-}
 
 HalfedgeId halfedge(const QuadMesh& mesh, int from, int to) {
     return mesh.find_halfedge(VertexId(from), VertexId(to));

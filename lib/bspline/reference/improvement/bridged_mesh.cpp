@@ -9,7 +9,6 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <set>
 
@@ -57,10 +56,7 @@ private:
 
     /// Whether a quad has one normal everywhere, however flat a corner is: creases beside it are real.
     [[nodiscard]] bool isFlat(FaceId face) const {
-        std::array<Point, 4> corners;
-        std::ranges::transform(cornersOf(mesh_, face), corners.begin(),
-                               [&](VertexId vertex) { return mesh_.point(vertex); });
-        return BilinearQuad(corners).minCosine() > nearlyFlat;
+        return BilinearQuad(cornerPoints(mesh_, face)).minCosine() > nearlyFlat;
     }
 
     [[nodiscard]] bool isFixed(VertexId vertex) const { return isFixed_[at(vertex)]; }

@@ -7,7 +7,6 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace qm {
@@ -23,9 +22,7 @@ struct QuadShape {
 std::vector<QuadShape> shapesOf(const QuadMesh& mesh, unsigned jobs) {
     std::vector<QuadShape> shapes(mesh.n_faces());
     parallelForFaces(mesh, jobs, [&](FaceId face) {
-        std::array<Point, 4> corners;
-        std::ranges::transform(cornersOf(mesh, face), corners.begin(),
-                               [&](VertexId vertex) { return mesh.point(vertex); });
+        const auto corners = cornerPoints(mesh, face);
         const BilinearQuad quad(corners);
         const Point across = corners[2] - corners[0], along = corners[3] - corners[1];
         const double length = std::max(across.norm(), along.norm());

@@ -4,6 +4,7 @@
 #include "base/infinity.h"
 #include "bspline/reference/lattice/hermite.h"
 #include "bspline/reference/lattice/lagrange.h"
+#include "bspline/reference/limit/even_speeds.h"
 #include "bspline/splines/evaluate.h"
 #include "mesh/parallel_elements.h"
 #include "mesh/topology.h"
@@ -15,9 +16,6 @@
 
 namespace qm {
 namespace {
-
-/// No edge leaves a pole faster than so many times the length of its shortest edge.
-constexpr double maxSpeedUp = 3;
 
 /// The least speed along an edge, in terms of its length.
 constexpr double minSpeed = 0.5;

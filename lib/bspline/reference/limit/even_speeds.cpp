@@ -21,9 +21,6 @@ namespace {
 /// too short by far, and their directions are no better: they are not made much longer.
 constexpr double minFactor = 0.05;
 constexpr double maxFactor = 1.25;
-/// Where a line goes on with a much shorter edge, the surface leaves along the long one no faster than so
-/// many times the short one's length: splines cannot change their speed at once, and would turn back.
-constexpr double maxSpeedUp = 3;
 
 /// Of a derivative: it is turned first.
 struct Change {
@@ -153,7 +150,7 @@ private:
     }
 
     /// How the turn of a mesh line varies from line to line, at the beginning of a halfedge, for each line to
-    /// the left: by the lines on both sides. Without this turns would run up to each vertex in steps.
+    /// the left: by the lines on both sides. Otherwise turns would vary in steps, and the surface ripple.
     [[nodiscard]] Point slopeToLeft(HalfedgeId leaving) const {
         if (sharp_[at(mesh_.edge_handle(leaving))]) return {0, 0, 0};
         const HalfedgeId left = acrossQuad(mesh_, leaving);
@@ -161,13 +158,15 @@ private:
             mesh_.opposite_halfedge_handle(acrossQuad(mesh_, mesh_.opposite_halfedge_handle(leaving)));
         const Point difference = changes_[at(left)].turn - changes_[at(right)].turn;
         if (difference == Point(0, 0, 0)) return difference;
-        // Between smooth vertices, where lines go on, the other end of each turns as well.
+        // Where a line goes on, it turns against itself on the other side, and so must its neighbours.
+        const auto kindAt = [&](HalfedgeId line) { return rules_[at(mesh_.from_vertex_handle(line))].kind; };
         const auto goesOn = [&](HalfedgeId line) {
-            return rules_[at(mesh_.from_vertex_handle(line))].kind == VertexRule::Kind::smooth &&
+            return kindAt(line) == VertexRule::Kind::smooth &&
                    continuesStraight(mesh_, mesh_.from_vertex_handle(line));
         };
-        const bool isEnd = rules_[at(mesh_.from_vertex_handle(leaving))].kind != VertexRule::Kind::smooth;
-        return isEnd || (goesOn(left) && goesOn(right)) ? difference / 2 : Point(0, 0, 0);
+        const bool ends =
+            kindAt(leaving) == VertexRule::Kind::crease || kindAt(leaving) == VertexRule::Kind::corner;
+        return ends || (goesOn(left) && goesOn(right)) ? difference / 2 : Point(0, 0, 0);
     }
 
     void moveFace(HalfedgeId first) {

@@ -10,6 +10,11 @@
 
 namespace qm {
 
+/// Where an edge is much longer than the one before it on the same line, the surface leaves along it no
+/// faster than so many times the short one's length: splines cannot change their speed at once, and would
+/// turn back.
+constexpr double maxSpeedUp = 3;
+
 /// A spline with uniform parameters leaves a vertex along both edges of a line at the same speed, although
 /// one may be much shorter than the other, and so waves along both. Here the surface leaves each vertex along
 /// each edge at the speed of an arc between the edge's ends, but no faster than a much shorter edge before it

@@ -118,9 +118,8 @@ PlaneParts planeParts(const QuadMesh& mesh, const std::vector<bool>& isCrease, d
                       unsigned jobs) {
     std::vector<FlatQuad> quads(mesh.n_faces());
     parallelForFaces(mesh, jobs, [&](FaceId face) {
-        const auto [a, b, c, d] = cornersOf(mesh, face);
-        quads[at(face)] = {middleNormal(mesh, face).value_or(Point(0, 0, 0)),
-                           ((mesh.point(c) - mesh.point(a)) % (mesh.point(d) - mesh.point(b))).norm() / 2};
+        const auto [a, b, c, d] = cornerPoints(mesh, face);
+        quads[at(face)] = {middleNormal(mesh, face).value_or(Point(0, 0, 0)), ((c - a) % (d - b)).norm() / 2};
     });
     PlaneParts parts = grownPlaneParts(mesh, isCrease, quads, flatness);
     Flats flats(mesh, isCrease, quads, parts);
