@@ -22,15 +22,20 @@
 namespace qm {
 namespace {
 
+/// The end of the search of a sub-mesh.
+struct SubMeshChanges {
+    std::optional<std::vector<ArcId>> arcs; ///< whose presence changes; nothing if no valid graph was found
+    bool impossible = false;                ///< whether it is proven that there is none
+};
+
 class Generator {
 public:
     Generator(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
-              const Enumeration& enumeration, const SubMeshes& subMeshes, double complexityLimit,
+              const Enumeration& enumeration, const SubMeshes& subMeshes, const GeneratorLimits& limits,
               const Control& control)
-        : mesh_(mesh), space_(space), enumeration_(enumeration), subMeshes_(subMeshes),
-          complexityLimit_(complexityLimit), control_(control),
-          arcOfEdge_(arcsOfEdges(mesh, space.graph, complex)), present_(space.graph.arcs.size(), false),
-          free_(space, present_) {}
+        : mesh_(mesh), space_(space), enumeration_(enumeration), subMeshes_(subMeshes), limits_(limits),
+          control_(control), arcOfEdge_(arcsOfEdges(mesh, space.graph, complex)),
+          present_(space.graph.arcs.size(), false), free_(space, present_) {}
 
     /// PMG: sub-meshes that no arc joins are searched at the same time, all others one after the other.
     void partial() {
@@ -48,8 +53,8 @@ public:
     }
 
     /// CMG: rounds until no particle is free or a configuration repeats.
-    void complete(int maxRounds) {
-        while (static_cast<int>(result_.rounds) < maxRounds && !repeats() && free_.count() > 0 &&
+    void complete() {
+        while (static_cast<int>(result_.rounds) < limits_.rounds && !repeats() && free_.count() > 0 &&
                !control_.stopRequested()) {
             ++result_.rounds;
             rounds_.emplace_back();
@@ -133,8 +138,9 @@ private:
         std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
         sortUnique(arcs);
         ++searches_;
-        if (const auto found = changesOf(subMesh, arcs)) return *found;
-        if (!space_.demands.empty()) throwImpossible(subMesh);
+        const SubMeshChanges changes = changesOf(subMesh, arcs);
+        if (changes.arcs) return *changes.arcs;
+        if (changes.impossible && !space_.demands.empty()) throwImpossible(subMesh);
         return straightArcs(subMesh, arcs);
     }
 
@@ -152,15 +158,15 @@ private:
     }
 
     /// Searches the sub-mesh with these arcs free.
-    /// \return the arcs whose presence changes; nothing if there is no valid graph
-    [[nodiscard]] std::optional<std::vector<ArcId>> changesOf(SubMeshId subMesh,
-                                                              const std::vector<ArcId>& arcs) const {
+    [[nodiscard]] SubMeshChanges changesOf(SubMeshId subMesh, const std::vector<ArcId>& arcs) const {
         const Problem problem = subMeshProblem(space_, subMesh, arcs, present_);
         Control control;
         control.stopRequested = control_.stopRequested;
-        const OptimumResult found = findOptimum(problem, {}, control);
-        if (found.graphs.empty()) return std::nullopt;
-        return differences(problem, found.graphs.front(), present_);
+        OptimumOptions options;
+        options.work = limits_.work;
+        const OptimumResult found = findOptimum(problem, options, control);
+        if (found.graphs.empty()) return {std::nullopt, found.complete};
+        return {differences(problem, found.graphs.front(), present_)};
     }
 
     void searchComplete(SubMeshId subMesh) {
@@ -168,11 +174,11 @@ private:
         if (particles.empty()) return;
         for (const Linking linking : {Linking::closed, Linking::direct, Linking::none}) {
             const LinkedParticles movable = linkedParticles(space_, present_, particles, subMesh, linking);
-            if (linking != Linking::none && movable.quasiComplexity >= complexityLimit_) continue;
+            if (linking != Linking::none && movable.quasiComplexity >= limits_.complexity) continue;
             ++searches_;
-            const auto changes = changesOf(subMesh, movable.arcs);
-            if (!changes) continue;
-            change(*changes);
+            const SubMeshChanges changes = changesOf(subMesh, movable.arcs);
+            if (!changes.arcs) continue;
+            change(*changes.arcs);
             result_.linked += movable.linked;
             return;
         }
@@ -188,7 +194,7 @@ private:
     const SearchSpace& space_;
     const Enumeration& enumeration_;
     const SubMeshes& subMeshes_;
-    double complexityLimit_;
+    const GeneratorLimits& limits_;
     const Control& control_;
     const std::vector<ArcId> arcOfEdge_;
     std::vector<bool> present_;
@@ -202,10 +208,10 @@ private:
 
 GeneratedGraph generateGraph(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
                              const Enumeration& enumeration, const SubMeshes& subMeshes,
-                             double complexityLimit, int maxRounds, const Control& control) {
-    Generator generator(mesh, complex, space, enumeration, subMeshes, complexityLimit, control);
+                             const GeneratorLimits& limits, const Control& control) {
+    Generator generator(mesh, complex, space, enumeration, subMeshes, limits, control);
     generator.partial();
-    generator.complete(maxRounds);
+    generator.complete();
     return generator.take();
 }
 

@@ -7,9 +7,18 @@
 #include "enumerate/sub_mesh/search_space.h"
 #include "merge/merge.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace qm {
+
+struct GeneratorLimits {
+    double complexity = 0; ///< chi: fewer particles are taken if a closed set of linked ones is this complex
+    int rounds = 0;        ///< of CMG
+    /// Limit of the simplex method's work in one search, ten times what all but few need: about a second. A
+    /// few sub-meshes, dense with extraordinary vertices, would take hours.
+    std::size_t work = 20'000'000;
+};
 
 struct GeneratedGraph {
     std::vector<bool> present; ///< for every arc, whether the graph has it
@@ -17,13 +26,11 @@ struct GeneratedGraph {
 };
 
 /// Runs PMG, then CMG, and extends the remaining free particles straight on. The result does not depend on
-/// `control.jobs`.
-/// \param complexityLimit  chi: fewer particles are taken if a closed set of linked ones is this complex
-/// \param maxRounds        of CMG
-/// \throw Error  if no graph of some sub-mesh obeys the constraints
+/// `control.jobs`, and may break constraints.
+/// \throw Error  if it is proven that no graph of some sub-mesh obeys the constraints
 [[nodiscard]] GeneratedGraph generateGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                            const SearchSpace& space, const Enumeration& enumeration,
-                                           const SubMeshes& subMeshes, double complexityLimit, int maxRounds,
+                                           const SubMeshes& subMeshes, const GeneratorLimits& limits,
                                            const Control& control);
 
 } // namespace qm

@@ -86,8 +86,9 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         makeSearchSpace(mesh, complex, costs, subMeshes, constraints, cornerCost(enumeration.cost.terms));
     // What ends early is extended without regard to the constraints.
     const bool mayEnd = constraints.required.empty() && constraints.forbidden.empty();
-    auto [present, result] = generateGraph(mesh, complex, space, enumeration, subMeshes, complexityLimit,
-                                           options.maxRounds, mayEnd ? limited : control);
+    auto [present, result] = generateGraph(mesh, complex, space, enumeration, subMeshes,
+                                           {.complexity = complexityLimit, .rounds = options.maxRounds},
+                                           mayEnd ? limited : control);
     if (subMeshes.count > 1) result.plain = takePlainIfCheaper(mesh, complex, costs, space, present);
     // Free particles are extended straight on without regard to the constraints.
     if (!obeys(space, present))

@@ -324,9 +324,13 @@ TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
         options.cost = {{0.9, 0.7}};
         const Enumeration found = enumerateGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, options);
         const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex, drawn->costs, parts, {});
-        const GeneratedGraph generated =
-            generateGraph(drawn->mesh, drawn->complex, space, found, parts, 40, MergeOptions().maxRounds, {});
-        EXPECT_TRUE(isMotorcycleGraph(space.graph, generated.present)) << "case " << number;
+        for (const std::size_t work : {std::size_t(0), GeneratorLimits().work}) {
+            const GeneratedGraph generated =
+                generateGraph(drawn->mesh, drawn->complex, space, found, parts,
+                              {.complexity = 40, .rounds = MergeOptions().maxRounds, .work = work}, {});
+            EXPECT_TRUE(isMotorcycleGraph(space.graph, generated.present))
+                << "case " << number << " work " << work;
+        }
         const MergeResult merged =
             mergeGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, found, {}, 40, {});
         const auto present = presentArcs(drawn->mesh, drawn->complex, drawn->graph, merged.graph.tracks);
