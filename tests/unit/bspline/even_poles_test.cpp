@@ -85,8 +85,9 @@ TEST(EvenPoles, MakeAPlaneTangentOfATip) {
         const MeshLattice even = evened(sample);
         EXPECT_GT(steepest(sample.limit), 0.05) << triangles;
         EXPECT_LT(steepest(even), 1e-3) << triangles;
-        if (triangles > 20)
+        if (triangles > 20) {
             EXPECT_LT(farthest(even, paraboloid), 0.7 * farthest(sample.limit, paraboloid)) << triangles;
+        }
     }
 }
 
@@ -96,8 +97,9 @@ TEST(EvenPoles, LeaveVerticesAndAllBeyondTheQuadsAround) {
     for (const VertexId vertex : sample.mesh.vertices())
         EXPECT_EQ(even.point(at(vertex)), sample.limit.point(at(vertex)));
     for (const FaceId face : sample.mesh.faces())
-        if (std::ranges::none_of(sample.mesh.fv_range(face), [](VertexId v) { return v == VertexId(0); }))
+        if (std::ranges::none_of(sample.mesh.fv_range(face), [](VertexId v) { return v == VertexId(0); })) {
             EXPECT_EQ(even.points(face), sample.limit.points(face));
+        }
 }
 
 TEST(EvenPoles, StayInTheirPlane) {
