@@ -8,18 +8,17 @@ namespace {
 
 /// One line for every pair of opposite separatrices whose particles can meet, and one for every other
 /// separatrix.
-std::vector<Line> findLines(const BaseComplex& complex) {
-    std::vector<Line> lines;
-    for (std::size_t i = 0; i < complex.separatrices.size(); ++i) {
-        const Separatrix& separatrix = complex.separatrices[i];
+IdVector<LineId, Line> findLines(const BaseComplex& complex) {
+    IdVector<LineId, Line> lines;
+    for (const SeparatrixId id : complex.separatrices.ids()) {
+        const Separatrix& separatrix = complex.separatrices[id];
         const auto& opposite = separatrix.opposite;
         const std::size_t length = separatrix.halfedges.size();
-        const bool meets =
-            opposite && separatrix.reach + complex.separatrices[opposite->idx()].reach >= length;
+        const bool meets = opposite && separatrix.reach + complex.separatrices[*opposite].reach >= length;
         if (!meets)
-            lines.push_back({SeparatrixId(i), std::nullopt, separatrix.reach, ArcId{}, 0});
-        else if (opposite->idx() >= i)
-            lines.push_back({SeparatrixId(i), opposite, length, ArcId{}, 0});
+            lines.push_back({id, std::nullopt, separatrix.reach, ArcId{}, 0});
+        else if (*opposite >= id)
+            lines.push_back({id, opposite, length, ArcId{}, 0});
     }
     return lines;
 }
@@ -32,14 +31,14 @@ public:
     ArcGraph build() {
         graph_.lines = findLines(complex_);
         placeJunctions();
-        for (std::size_t i = 0; i < graph_.lines.size(); ++i)
-            splitLine(LineId(i));
+        for (const LineId line : graph_.lines.ids())
+            splitLine(line);
         return std::move(graph_);
     }
 
 private:
     std::span<const HalfedgeId> path(const Line& line) const {
-        return std::span(complex_.separatrices[line.forward.idx()].halfedges).first(line.length);
+        return std::span(complex_.separatrices[line.forward].halfedges).first(line.length);
     }
 
     bool besideCut(HalfedgeId arriving, HalfedgeId leaving) const {
@@ -58,7 +57,7 @@ private:
             countPasses(line, passes, stop);
         for (std::size_t vertex = 0; vertex < stop.size(); ++vertex)
             if (stop[vertex]) {
-                junctionAt_[vertex] = JunctionId(graph_.junctions.size());
+                junctionAt_[vertex] = graph_.junctions.nextId();
                 graph_.junctions.push_back({VertexId(static_cast<int>(vertex)), {}, false});
             }
         for (const Seed seed : complex_.seeds)
@@ -75,38 +74,38 @@ private:
     }
 
     bool endsAtOwnTrack(const Line& line) const {
-        return line.length < complex_.separatrices[line.forward.idx()].halfedges.size();
+        return line.length < complex_.separatrices[line.forward].halfedges.size();
     }
 
     /// Marks a seed's junction. Its own arcs come first, whatever the order of the lines; they are set when
     /// its lines are split.
     void seedJunction(Seed seed) {
         const JunctionId junction = junctionAt_[at(mesh_.from_vertex_handle(seed.direction))];
-        if (junction.valid()) graph_.junctions[junction.idx()].seeded = true;
+        if (junction.valid()) graph_.junctions[junction].seeded = true;
     }
 
     void splitLine(LineId id) {
-        Line& line = graph_.lines[id.idx()];
+        Line& line = graph_.lines[id];
         const auto halfedges = path(line);
         const int length = static_cast<int>(halfedges.size());
-        line.firstArc = ArcId(graph_.arcs.size());
+        line.firstArc = graph_.arcs.nextId();
         int begin = 0;
         for (int k = 1; k <= length; ++k) {
             const JunctionId junction =
                 k == length ? JunctionId{} : junctionAt_[at(mesh_.from_vertex_handle(halfedges[at(k)]))];
             if (k < length && !junction.valid()) continue;
-            const ArcId arc(graph_.arcs.size());
+            const ArcId arc = graph_.arcs.nextId();
             graph_.arcs.push_back({id, begin, k});
             graph_.junctionAfter.push_back(junction);
-            if (junction.valid()) pass(graph_.junctions[junction.idx()], arc);
+            if (junction.valid()) pass(graph_.junctions[junction], arc);
             begin = k;
         }
-        line.arcCount = static_cast<int>(graph_.arcs.size()) - line.firstArc.value();
-        const ArcId last(graph_.arcs.size() - 1);
+        line.arcCount = graph_.arcs.nextId().value() - line.firstArc.value();
+        const ArcId last = line.lastArc();
         line.beginsAt = attachToSeed(mesh_.from_vertex_handle(halfedges.front()), line.firstArc);
         if (endsAtOwnTrack(line)) {
             line.endsAt = junctionAt_[at(mesh_.to_vertex_handle(halfedges.back()))];
-            graph_.junctions[line.endsAt.idx()].arcs[1] = last;
+            graph_.junctions[line.endsAt].arcs[1] = last;
         } else {
             line.endsAt = attachToSeed(mesh_.to_vertex_handle(halfedges.back()), last);
         }
@@ -126,7 +125,7 @@ private:
     JunctionId attachToSeed(VertexId end, ArcId arc) {
         const JunctionId junction = junctionAt_[at(end)];
         if (!junction.valid()) return {};
-        auto& arcs = graph_.junctions[junction.idx()].arcs;
+        auto& arcs = graph_.junctions[junction].arcs;
         arcs[arcs[0].valid() ? 2 : 0] = arc;
         return junction;
     }
@@ -151,25 +150,25 @@ std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex
 
 std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex,
                                         const ArcRun& run) {
-    const std::span path(complex.separatrices[graph.lineOf(run.first).forward.idx()].halfedges);
-    const int begin = graph.arcs[run.first.idx()].begin, end = graph.arcs[run.last().idx()].end;
+    const std::span path(complex.separatrices[graph.lineOf(run.first).forward].halfedges);
+    const int begin = graph.arcs[run.first].begin, end = graph.arcs[run.last()].end;
     return path.subspan(at(begin), at(end - begin));
 }
 
 std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const ArcGraph& graph, const BaseComplex& complex) {
     std::vector<ArcId> result(mesh.n_edges());
-    for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
-        for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
-            result[at(mesh.edge_handle(halfedge))] = ArcId(arc);
+    for (const ArcId arc : graph.arcs.ids())
+        for (const HalfedgeId halfedge : halfedgesOf(graph, complex, arc))
+            result[at(mesh.edge_handle(halfedge))] = arc;
     return result;
 }
 
-std::vector<double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph, const BaseComplex& complex,
-                                const std::vector<double>& perEdge) {
-    std::vector<double> sums;
+IdVector<ArcId, double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph, const BaseComplex& complex,
+                                    const std::vector<double>& perEdge) {
+    IdVector<ArcId, double> sums;
     sums.reserve(graph.arcs.size());
-    for (std::size_t i = 0; i < graph.arcs.size(); ++i)
-        sums.push_back(sumAlong(mesh, halfedgesOf(graph, complex, ArcId(i)), perEdge));
+    for (const ArcId arc : graph.arcs.ids())
+        sums.push_back(sumAlong(mesh, halfedgesOf(graph, complex, arc), perEdge));
     return sums;
 }
 

@@ -59,14 +59,17 @@ struct Junction {
 };
 
 struct ArcGraph {
-    std::vector<Line> lines;
-    std::vector<Arc> arcs;
-    std::vector<Junction> junctions; ///< ascending by vertex
+    IdVector<LineId, Line> lines;
+    IdVector<ArcId, Arc> arcs;
+    IdVector<JunctionId, Junction> junctions; ///< ascending by vertex
     /// The junction between an arc and the next on its line; invalid for the last arc of a line.
-    std::vector<JunctionId> junctionAfter;
+    IdVector<ArcId, JunctionId> junctionAfter;
 
-    [[nodiscard]] const Line& lineOf(ArcId arc) const { return lines[arcs[arc.idx()].line.idx()]; }
+    [[nodiscard]] const Line& lineOf(ArcId arc) const { return lines[arcs[arc].line]; }
 };
+
+/// Of every arc, whether a graph has it.
+using PresentArcs = IdVector<ArcId, bool>;
 
 /// \param complex  its separatrices become lines, in the order of their lower ids
 /// \param labels   sub-mesh of every vertex; both ends of an edge between two sub-meshes become stops. May be
@@ -106,7 +109,8 @@ template <class Condition>
                                              const BaseComplex& complex);
 
 /// For every arc, the sum of a value over its edges.
-[[nodiscard]] std::vector<double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph,
-                                              const BaseComplex& complex, const std::vector<double>& perEdge);
+[[nodiscard]] IdVector<ArcId, double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph,
+                                                  const BaseComplex& complex,
+                                                  const std::vector<double>& perEdge);
 
 } // namespace qm

@@ -1,6 +1,7 @@
 /// \file Separatrices and the base complex (docs/METHOD.md#base-complex).
 #pragma once
 
+#include "base/id_vector.h"
 #include "base/ids.h"
 #include "mesh/quad_mesh.h"
 
@@ -32,7 +33,7 @@ struct BaseComplex {
     std::vector<VertexId> extraordinaryVertices; ///< ascending
     std::vector<Seed> seeds;                     ///< as given
     /// Ordered by source vertex, then by the second vertex of the path.
-    std::vector<Separatrix> separatrices;
+    IdVector<SeparatrixId, Separatrix> separatrices;
     /// n_j: the number of regular vertices where two lines cross within the reach of their particles. The
     /// line of a seed counts like any other.
     std::size_t ordinaryJunctions = 0;

@@ -13,11 +13,11 @@ Measure::Measure(const QuadMesh& mesh, const BaseComplex& complex)
 }
 
 VertexId Measure::sourceOf(SeparatrixId separatrix) const {
-    return mesh_.from_vertex_handle(complex_.separatrices[separatrix.idx()].halfedges.front());
+    return mesh_.from_vertex_handle(complex_.separatrices[separatrix].halfedges.front());
 }
 
 std::size_t Measure::reachInside(SeparatrixId id, const std::vector<SubMeshId>& labels) const {
-    const Separatrix& separatrix = complex_.separatrices[id.idx()];
+    const Separatrix& separatrix = complex_.separatrices[id];
     const SubMeshId subMesh = labels[at(sourceOf(id))];
     std::size_t length = 0;
     while (length < separatrix.reach) {
@@ -43,7 +43,7 @@ SubMesh Measure::operator()(const std::vector<SeparatrixId>& separatrices,
             pass(source);
         last = source;
         reach.push_back(reachInside(id, labels));
-        const Separatrix& separatrix = complex_.separatrices[id.idx()];
+        const Separatrix& separatrix = complex_.separatrices[id];
         // The part that the opposite walks inside as well is counted once only.
         std::size_t counted = 0;
         if (const auto opposite = separatrix.opposite;
@@ -57,7 +57,7 @@ SubMesh Measure::operator()(const std::vector<SeparatrixId>& separatrices,
         }
     }
     for (std::size_t n = 0; n < separatrices.size(); ++n) {
-        const Separatrix& separatrix = complex_.separatrices[separatrices[n].idx()];
+        const Separatrix& separatrix = complex_.separatrices[separatrices[n]];
         int stops = 1;
         for (std::size_t k = 1; k < reach[n]; ++k)
             if (passes_[at(mesh_.from_vertex_handle(separatrix.halfedges[k]))] == 2) ++stops;
@@ -74,7 +74,7 @@ IdVector<SubMeshId, SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseCo
                                               const std::vector<SubMeshId>& labels, int count) {
     Measure measure(mesh, complex);
     IdVector<SubMeshId, std::vector<SeparatrixId>> separatrices(at(count));
-    for (const SeparatrixId id : IdRange(SeparatrixId(0), SeparatrixId(complex.separatrices.size())))
+    for (const SeparatrixId id : complex.separatrices.ids())
         separatrices[labels[at(measure.sourceOf(id))]].push_back(id);
     IdVector<SubMeshId, SubMesh> result;
     result.reserve(separatrices.size());

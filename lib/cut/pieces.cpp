@@ -17,8 +17,8 @@ Piece PieceDivision::whole() {
     Piece piece;
     for (const VertexId vertex : mesh_.vertices())
         if (!mesh_.is_isolated(vertex)) piece.vertices.push_back(vertex);
-    for (std::size_t i = 0; i < complex_.separatrices.size(); ++i)
-        piece.separatrices.emplace_back(i);
+    for (const SeparatrixId id : complex_.separatrices.ids())
+        piece.separatrices.push_back(id);
     label(piece);
     measure(piece, ofUndivided);
     unlabel(piece);

@@ -60,7 +60,7 @@ SubMeshSearch::SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex,
 
 SubMeshSearch::Task SubMeshSearch::task(SubMeshId subMesh) const {
     Task task{subMesh, std::make_shared<SearchSpace>(ownSpace(space_, subMesh)), {}, {}};
-    const std::vector<bool> none(task.space->graph.arcs.size(), false);
+    const PresentArcs none(task.space->graph.arcs.size(), false);
     task.problem = subMeshProblem(*task.space, subMesh, ownArcs(*task.space, subMesh), none);
     task.walkers = walkersOf(*task.space, subMesh, none);
     task.problem.gaps = options_.graphClass == GraphClass::motorcycle;
@@ -74,7 +74,7 @@ double SubMeshSearch::maxCost(SubMeshId subMesh) const {
 
 MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignment) const {
     const ArcGraph& arcs = task.space->graph;
-    std::vector<bool> present(arcs.arcs.size(), false);
+    PresentArcs present(arcs.arcs.size(), false);
     apply(task.problem, assignment, present);
     MotorcycleGraph result = task.problem.gaps
                                  ? graphOf(mesh_, complex_, arcs, present, edgeCosts_, task.walkers)
@@ -150,7 +150,7 @@ bool SubMeshSearch::findRanked(const Task& task, const std::function<bool(const 
 /// Lets every particle go straight on in turn, to have a graph from the start, however hard the search is.
 std::optional<Assignment> SubMeshSearch::simpleGraph(const Task& task) const {
     if (!space_.demands.empty()) return std::nullopt;
-    std::vector<bool> present(task.space->graph.arcs.size(), false);
+    PresentArcs present(task.space->graph.arcs.size(), false);
     goStraight(*task.space, task.subMesh, present);
     return assignmentOf(task.problem, present);
 }

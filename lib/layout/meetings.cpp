@@ -11,24 +11,24 @@ namespace {
 /// (docs/METHOD.md#hakimi-1965).
 class Meetings {
 public:
-    Meetings(const ArcGraph& graph, const std::vector<bool>& present, const Walkers& walkers)
+    Meetings(const ArcGraph& graph, const PresentArcs& present, const Walkers& walkers)
         : graph_(graph), meetingOf_(graph.lines.size()), crossingsOf_(graph.lines.size()),
           open_(graph.lines.size()), changed_(graph.lines.size(), true) {
-        for (std::size_t i = 0; i < graph.lines.size(); ++i) {
-            const Line& line = graph.lines[i];
+        for (const LineId id : graph.lines.ids()) {
+            const Line& line = graph.lines[id];
             const auto begin = present.begin() + line.firstArc.value();
-            const bool both = line.backward && walkers.fromBegin(LineId(i)) && walkers.fromEnd(LineId(i));
+            const bool both = line.backward && walkers.fromBegin(id) && walkers.fromEnd(id);
             full_.push_back(both && std::all_of(begin, begin + line.arcCount, [](bool in) { return in; }));
-            if (full_.back()) meetingOf_[i] = walkers.meeting(LineId(i));
+            if (full_.back()) meetingOf_[id] = walkers.meeting(id);
         }
-        for (std::size_t j = 0; j < graph.junctions.size(); ++j)
-            if (crossed(graph.junctions[j], present)) addCrossing(JunctionId(j));
+        for (const Junction& junction : graph.junctions)
+            if (crossed(junction, present)) addCrossing(junction);
     }
 
     /// For every line the arc after which its particles meet; none if they need not meet.
-    std::vector<ArcId> assign() {
-        for (std::size_t line = 0; line < crossingsOf_.size(); ++line)
-            waiting_.emplace_back(line);
+    IdVector<LineId, ArcId> assign() {
+        for (const LineId line : crossingsOf_.ids())
+            waiting_.push_back(line);
         settleLeaves();
         // Only cycles remain, where both directions are valid.
         for (std::size_t c = 0; c < crossings_.size(); ++c)
@@ -54,31 +54,29 @@ private:
         std::size_t sum = 0;
     };
 
-    static bool crossed(const Junction& junction, const std::vector<bool>& present) {
-        return std::ranges::all_of(junction.arcs,
-                                   [&](ArcId arc) { return arc.valid() && present[arc.idx()]; });
+    static bool crossed(const Junction& junction, const PresentArcs& present) {
+        return std::ranges::all_of(junction.arcs, [&](ArcId arc) { return arc.valid() && present[arc]; });
     }
 
     Side sideOf(const Junction& junction, std::size_t k) const {
         const ArcId before = std::min(junction.arcs[k], junction.arcs[k + 2]);
-        const LineId line = graph_.arcs[before.idx()].line;
-        const bool crackable = full_[line.idx()] && !junction.isSeedOf(k);
+        const LineId line = graph_.arcs[before].line;
+        const bool crackable = full_[line] && !junction.isSeedOf(k);
         return {crackable ? line : LineId{}, before};
     }
 
-    void addCrossing(JunctionId id) {
-        const Junction& junction = graph_.junctions[id.idx()];
+    void addCrossing(const Junction& junction) {
         crossings_.push_back({{sideOf(junction, 0), sideOf(junction, 1)}});
         for (const Side& side : crossings_.back().sides)
             if (side.line.valid()) {
-                crossingsOf_[side.line.idx()].push_back(crossings_.size() - 1);
-                ++open_[side.line.idx()].count;
-                open_[side.line.idx()].sum += crossings_.size() - 1;
+                crossingsOf_[side.line].push_back(crossings_.size() - 1);
+                ++open_[side.line].count;
+                open_[side.line].sum += crossings_.size() - 1;
             }
     }
 
     [[nodiscard]] bool available(const Side& side) const {
-        return side.line.valid() && !meetingOf_[side.line.idx()].valid();
+        return side.line.valid() && !meetingOf_[side.line].valid();
     }
 
     void settle(std::size_t crossing, std::size_t side) {
@@ -86,17 +84,17 @@ private:
         plus.settled = true;
         for (const Side& closed : plus.sides)
             if (closed.line.valid()) {
-                --open_[closed.line.idx()].count;
-                open_[closed.line.idx()].sum -= crossing;
+                --open_[closed.line].count;
+                open_[closed.line].sum -= crossing;
             }
         const Side& chosen = plus.sides[available(plus.sides[side]) ? side : 1 - side];
         if (!available(chosen)) return; // the graph is not valid, which the caller must rule out
-        meetingOf_[chosen.line.idx()] = chosen.before;
-        for (const std::size_t other : crossingsOf_[chosen.line.idx()])
+        meetingOf_[chosen.line] = chosen.before;
+        for (const std::size_t other : crossingsOf_[chosen.line])
             for (const Side& neighbour : crossings_[other].sides)
                 if (neighbour.line.valid()) {
                     waiting_.push_back(neighbour.line);
-                    if (!crossings_[other].settled) changed_[neighbour.line.idx()] = true;
+                    if (!crossings_[other].settled) changed_[neighbour.line] = true;
                 }
     }
 
@@ -107,16 +105,16 @@ private:
         while (!waiting_.empty()) {
             const LineId line = waiting_.back();
             waiting_.pop_back();
-            if (changed_[line.idx()]) settleForced(line);
-            const auto [count, last] = open_[line.idx()];
-            if (count == 1 && !meetingOf_[line.idx()].valid())
+            if (changed_[line]) settleForced(line);
+            const auto [count, last] = open_[line];
+            if (count == 1 && !meetingOf_[line].valid())
                 settle(last, crossings_[last].sides[0].line == line ? 0 : 1);
         }
     }
 
     void settleForced(LineId line) {
-        changed_[line.idx()] = false;
-        for (const std::size_t c : crossingsOf_[line.idx()]) {
+        changed_[line] = false;
+        for (const std::size_t c : crossingsOf_[line]) {
             const auto& [sides, settled] = crossings_[c];
             if (settled) continue;
             const bool first = available(sides[0]), second = available(sides[1]);
@@ -125,19 +123,19 @@ private:
     }
 
     const ArcGraph& graph_;
-    std::vector<bool> full_;
+    IdVector<LineId, bool> full_;
     std::vector<PlusCrossing> crossings_;
-    std::vector<ArcId> meetingOf_;
-    std::vector<std::vector<std::size_t>> crossingsOf_;
-    std::vector<Open> open_;    ///< of every line
-    std::vector<bool> changed_; ///< lines at whose open crossings a line may have become unavailable
+    IdVector<LineId, ArcId> meetingOf_;
+    IdVector<LineId, std::vector<std::size_t>> crossingsOf_;
+    IdVector<LineId, Open> open_;
+    IdVector<LineId, bool> changed_; ///< lines at whose open crossings a line may have become unavailable
     std::vector<LineId> waiting_;
 };
 
 } // namespace
 
-std::vector<ArcId> headOnMeetings(const ArcGraph& graph, const std::vector<bool>& present,
-                                  const Walkers& walkers) {
+IdVector<LineId, ArcId> headOnMeetings(const ArcGraph& graph, const PresentArcs& present,
+                                       const Walkers& walkers) {
     return Meetings(graph, present, walkers).assign();
 }
 

@@ -5,16 +5,14 @@
 #include "basecomplex/arc_graph.h"
 #include "layout/walkers.h"
 
-#include <vector>
-
 namespace qm {
 
 /// At a crossing whose four arcs are all present, one of the two lines must be cracked (rule 4): its
 /// particles meet there. A line is cracked at one crossing at most.
-/// \param present  for every arc, whether a valid graph has it
+/// \param present  the arcs of a valid graph
 /// \param walkers  which particles take part
 /// \return for every line, the arc after which its particles meet; none if they need not meet
-[[nodiscard]] std::vector<ArcId> headOnMeetings(const ArcGraph& graph, const std::vector<bool>& present,
-                                                const Walkers& walkers);
+[[nodiscard]] IdVector<LineId, ArcId> headOnMeetings(const ArcGraph& graph, const PresentArcs& present,
+                                                     const Walkers& walkers);
 
 } // namespace qm

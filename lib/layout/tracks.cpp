@@ -24,19 +24,19 @@ struct Coverage {
 /// beginning, unless a crossing needs a head-on meeting there (rule 4).
 /// \param present  of every arc; the present arcs of a line form a run from each of its sources
 /// \param walkers  which particles take part
-std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
-                                 const Walkers& walkers) {
-    const std::vector<ArcId> meetings = headOnMeetings(graph, present, walkers);
-    std::vector<Coverage> result;
-    for (std::size_t i = 0; i < graph.lines.size(); ++i) {
-        const Line& line = graph.lines[i];
-        const auto in = [&](int k) { return present[(line.firstArc + k).idx()]; };
+IdVector<LineId, Coverage> coverLines(const ArcGraph& graph, const PresentArcs& present,
+                                      const Walkers& walkers) {
+    const IdVector<LineId, ArcId> meetings = headOnMeetings(graph, present, walkers);
+    IdVector<LineId, Coverage> result;
+    for (const LineId id : graph.lines.ids()) {
+        const Line& line = graph.lines[id];
+        const auto in = [&](int k) { return present[line.firstArc + k]; };
         Coverage coverage;
-        if (walkers.fromBegin(LineId(i)))
+        if (walkers.fromBegin(id))
             while (coverage.fromBegin < line.arcCount && in(coverage.fromBegin))
                 ++coverage.fromBegin;
-        if (meetings[i].valid()) coverage.fromBegin = meetings[i].value() - line.firstArc.value() + 1;
-        if (line.backward && walkers.fromEnd(LineId(i)))
+        if (meetings[id].valid()) coverage.fromBegin = meetings[id].value() - line.firstArc.value() + 1;
+        if (line.backward && walkers.fromEnd(id))
             while (coverage.fromEnd < line.arcCount - coverage.fromBegin &&
                    in(line.arcCount - 1 - coverage.fromEnd))
                 ++coverage.fromEnd;
@@ -52,17 +52,17 @@ Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std:
 }
 
 MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                        const std::vector<bool>& present, const std::vector<double>& edgeCosts,
+                        const PresentArcs& present, const std::vector<double>& edgeCosts,
                         const Walkers& walkers) {
-    const std::vector<Coverage> coverages = coverLines(graph, present, walkers);
+    const IdVector<LineId, Coverage> coverages = coverLines(graph, present, walkers);
     MotorcycleGraph result;
     const auto add = [&](SeparatrixId separatrix, const ArcRun& run) {
-        const std::span path(complex.separatrices[separatrix.idx()].halfedges);
+        const std::span path(complex.separatrices[separatrix].halfedges);
         result.add(trackOf(mesh, path.first(halfedgesOf(graph, complex, run).size()), edgeCosts));
     };
-    for (std::size_t i = 0; i < graph.lines.size(); ++i) {
-        const Line& line = graph.lines[i];
-        const auto& [fromBegin, fromEnd] = coverages[i];
+    for (const LineId id : graph.lines.ids()) {
+        const Line& line = graph.lines[id];
+        const auto& [fromBegin, fromEnd] = coverages[id];
         if (fromBegin > 0) add(line.forward, {line.firstArc, fromBegin});
         if (fromEnd > 0) add(*line.backward, {line.lastArc() - (fromEnd - 1), fromEnd});
     }
@@ -70,13 +70,13 @@ MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const 
 }
 
 MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                        const std::vector<bool>& present, const std::vector<double>& edgeCosts) {
+                        const PresentArcs& present, const std::vector<double>& edgeCosts) {
     MotorcycleGraph result;
     for (const Line& line : graph.lines)
-        for (const ArcRun& run : runsOf(line, [&](ArcId arc) { return present[arc.idx()]; })) {
+        for (const ArcRun& run : runsOf(line, [&](ArcId arc) { return present[arc]; })) {
             auto path = halfedgesOf(graph, complex, run);
             if (run.first != line.firstArc && run.last() == line.lastArc() && line.backward)
-                path = std::span(complex.separatrices[line.backward->idx()].halfedges).first(path.size());
+                path = std::span(complex.separatrices[*line.backward].halfedges).first(path.size());
             result.add(trackOf(mesh, path, edgeCosts));
         }
     return result;
@@ -94,7 +94,7 @@ std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
     forEachGroup(edges, &std::pair<ArcId, int>::first, [&](const auto& covered) {
         const ArcId id = covered.front().first;
         if (!id.valid()) return;
-        const Arc& arc = graph.arcs[id.idx()];
+        const Arc& arc = graph.arcs[id];
         if (covered.size() == at(arc.end - arc.begin)) result.push_back(id);
     });
     for (const Track& track : tracks)
@@ -106,11 +106,11 @@ std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
     return result;
 }
 
-std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                              const std::vector<Track>& tracks) {
-    std::vector<bool> present(graph.arcs.size(), false);
+PresentArcs presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                        const std::vector<Track>& tracks) {
+    PresentArcs present(graph.arcs.size(), false);
     for (const ArcId arc : coveredArcs(mesh, graph, arcsOfEdges(mesh, graph, complex), tracks))
-        present[arc.idx()] = true;
+        present[arc] = true;
     return present;
 }
 

@@ -16,13 +16,13 @@ namespace qm {
 
 /// The tracks of a graph with their costs, by line; particles that do not move have none.
 [[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                      const std::vector<bool>& present, const std::vector<double>& edgeCosts,
+                                      const PresentArcs& present, const std::vector<double>& edgeCosts,
                                       const Walkers& walkers = {});
 
 /// The same for T-meshes, where only rules 1 and 2 hold: every run of arcs on a line is a track, and begins
 /// at a source if it touches one.
 [[nodiscard]] MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                      const std::vector<bool>& present, const std::vector<double>& edgeCosts);
+                                      const PresentArcs& present, const std::vector<double>& edgeCosts);
 
 /// The arcs that tracks cover, ascending. An arc may be covered by two tracks that meet head-on inside it.
 /// \param arcOfEdge  the arc of every edge
@@ -33,7 +33,7 @@ namespace qm {
 
 /// The same, as whether each arc is covered.
 /// \throw Error  likewise
-[[nodiscard]] std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex,
-                                            const ArcGraph& graph, const std::vector<Track>& tracks);
+[[nodiscard]] PresentArcs presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                      const std::vector<Track>& tracks);
 
 } // namespace qm

@@ -2,7 +2,7 @@
 
 namespace qm {
 
-FreeParticles::FreeParticles(const SearchSpace& space, const std::vector<bool>& present)
+FreeParticles::FreeParticles(const SearchSpace& space, const PresentArcs& present)
     : space_(space), present_(present), placeOf_(2 * space.graph.lines.size()) {
     for (const Particle particle : freeParticles(space.graph, present))
         place(particle);
@@ -19,18 +19,18 @@ void FreeParticles::update(const std::vector<ArcId>& changed) {
     std::set<LineId> lines;
     const auto addLinesAt = [&](JunctionId junction) {
         if (!junction.valid()) return;
-        for (const ArcId arc : graph.junctions[junction.idx()].arcs)
-            if (arc.valid()) lines.insert(graph.arcs[arc.idx()].line);
+        for (const ArcId arc : graph.junctions[junction].arcs)
+            if (arc.valid()) lines.insert(graph.arcs[arc].line);
     };
     for (const ArcId arc : changed) {
         const Line& line = graph.lineOf(arc);
-        lines.insert(graph.arcs[arc.idx()].line);
-        addLinesAt(arc == line.firstArc ? line.beginsAt : graph.junctionAfter[arc.idx() - 1]);
-        addLinesAt(arc == line.lastArc() ? line.endsAt : graph.junctionAfter[arc.idx()]);
+        lines.insert(graph.arcs[arc].line);
+        addLinesAt(arc == line.firstArc ? line.beginsAt : graph.junctionAfter[arc - 1]);
+        addLinesAt(arc == line.lastArc() ? line.endsAt : graph.junctionAfter[arc]);
     }
     for (const LineId line : lines) {
         place({line, false});
-        if (graph.lines[line.idx()].backward) place({line, true});
+        if (graph.lines[line].backward) place({line, true});
     }
 }
 
@@ -43,7 +43,7 @@ void FreeParticles::place(Particle particle) {
 
 SubMeshId FreeParticles::subMeshOf(Particle particle) const {
     if (!isFree(space_.graph, particle, present_)) return {};
-    return space_.junctionLabels[crashJunction(space_.graph, particle, present_).idx()];
+    return space_.junctionLabels[crashJunction(space_.graph, particle, present_)];
 }
 
 } // namespace qm

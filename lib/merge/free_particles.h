@@ -14,7 +14,7 @@ namespace qm {
 class FreeParticles {
 public:
     /// Both arguments must outlive this.
-    FreeParticles(const SearchSpace& space, const std::vector<bool>& present);
+    FreeParticles(const SearchSpace& space, const PresentArcs& present);
 
     /// The free particles whose tracks end in a sub-mesh, ordered by line, the one from its beginning first.
     [[nodiscard]] const std::set<Particle>& in(SubMeshId subMesh) const;
@@ -30,7 +30,7 @@ private:
     [[nodiscard]] SubMeshId subMeshOf(Particle particle) const;
 
     const SearchSpace& space_;
-    const std::vector<bool>& present_;
+    const PresentArcs& present_;
     std::unordered_map<SubMeshId, std::set<Particle>> waiting_; ///< by sub-mesh
     std::vector<SubMeshId> placeOf_;                            ///< sub-mesh of both particles of every line
     std::size_t count_ = 0;

@@ -71,7 +71,7 @@ private:
     /// Groups of sub-meshes that no arc joins, by greedy colouring in the order of ids.
     [[nodiscard]] std::vector<std::vector<SubMeshId>> separateGroups() const {
         IdVector<SubMeshId, std::set<SubMeshId>> neighbours(at(subMeshes_.count));
-        for (std::size_t arc = 0; arc < space_.arcBegins.size(); ++arc) {
+        for (const ArcId arc : space_.arcBegins.ids()) {
             const SubMeshId a = space_.arcBegins[arc], b = space_.arcEnds[arc];
             if (a == b) continue;
             neighbours[a].insert(b);
@@ -94,14 +94,14 @@ private:
     }
 
     void add(std::vector<ArcId> arcs) {
-        std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
+        std::erase_if(arcs, [&](ArcId arc) { return present_[arc]; });
         change(arcs);
     }
 
     /// Flips the presence of arcs, none of which is given twice.
     void change(const std::vector<ArcId>& arcs) {
         for (const ArcId arc : arcs)
-            present_[arc.idx()].flip();
+            present_[arc].flip();
         free_.update(arcs);
         if (!rounds_.empty()) rounds_.back().insert(rounds_.back().end(), arcs.begin(), arcs.end());
     }
@@ -135,7 +135,7 @@ private:
         if (arcs.empty() && !graphs.empty())
             return coveredArcs(mesh_, space_.graph, arcOfEdge_, graphs.front().tracks);
         std::ranges::copy(ownArcs(space_, subMesh), std::back_inserter(arcs));
-        std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
+        std::erase_if(arcs, [&](ArcId arc) { return present_[arc]; });
         sortUnique(arcs);
         ++searches_;
         const SubMeshChanges changes = changesOf(subMesh, arcs);
@@ -146,9 +146,9 @@ private:
 
     /// The given arcs that are walked if every particle goes straight on.
     [[nodiscard]] std::vector<ArcId> straightArcs(SubMeshId subMesh, std::vector<ArcId> arcs) const {
-        std::vector<bool> straight = present_;
+        PresentArcs straight = present_;
         goStraight(space_, subMesh, straight);
-        std::erase_if(arcs, [&](ArcId arc) { return !straight[arc.idx()]; });
+        std::erase_if(arcs, [&](ArcId arc) { return !straight[arc]; });
         return arcs;
     }
 
@@ -197,7 +197,7 @@ private:
     const GeneratorLimits& limits_;
     const Control& control_;
     const std::vector<ArcId> arcOfEdge_;
-    std::vector<bool> present_;
+    PresentArcs present_;
     FreeParticles free_;
     std::vector<std::vector<ArcId>> rounds_; ///< arcs changed in every round, once per change
     mutable std::atomic<std::size_t> searches_ = 0;

@@ -21,8 +21,8 @@ struct GeneratorLimits {
 };
 
 struct GeneratedGraph {
-    std::vector<bool> present; ///< for every arc, whether the graph has it
-    MergeResult figures;       ///< the generators' counters
+    PresentArcs present;
+    MergeResult figures; ///< the generators' counters
 };
 
 /// Runs PMG, then CMG, and extends the remaining free particles straight on. The result does not depend on

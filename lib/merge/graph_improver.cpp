@@ -25,7 +25,7 @@ struct Tuning {
 
 } // namespace
 
-GraphImprover::GraphImprover(const SearchSpace& space, std::vector<bool> present, KnownSoFar& known,
+GraphImprover::GraphImprover(const SearchSpace& space, PresentArcs present, KnownSoFar& known,
                              std::size_t large)
     : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)), present_(std::move(present)),
       known_(known), large_(large) {}
@@ -74,7 +74,7 @@ void GraphImprover::searchWindows(const IdVector<VariableId, double>& relaxed, W
     options.alongTracks = isLarge();
     if (isLarge())
         options.maxVariables = std::min(options.maxVariables, presentVariables() / Tuning::largeShare);
-    options.improved = [&](const std::vector<bool>& present) { known_.setCost(costOf(space_, present)); };
+    options.improved = [&](const PresentArcs& present) { known_.setCost(costOf(space_, present)); };
     WindowResult windows = improveByWindows(input_, present_, options, control);
     present_ = std::move(windows.present);
     windows_ += windows.windows;

@@ -20,7 +20,7 @@ public:
     /// \param known    gets the cost of every cheaper graph, and early bounds
     /// \param large    from this number of variables on, a part is relaxed by gradients and not searched
     /// The space and `known` must outlive the object.
-    GraphImprover(const SearchSpace& space, std::vector<bool> present, KnownSoFar& known,
+    GraphImprover(const SearchSpace& space, PresentArcs present, KnownSoFar& known,
                   std::size_t large = 15000);
 
     /// Whether the problem has so many variables that it is only relaxed by gradients: the simplex method
@@ -38,7 +38,7 @@ public:
     void searchWindows(const IdVector<VariableId, double>& relaxed, WindowOptions options,
                        const Control& control);
 
-    [[nodiscard]] const std::vector<bool>& present() const { return present_; }
+    [[nodiscard]] const PresentArcs& present() const { return present_; }
     /// How many windows were searched, and how many of them made the graph cheaper.
     [[nodiscard]] std::size_t windows() const { return windows_; }
     [[nodiscard]] std::size_t improvements() const { return improvements_; }
@@ -51,7 +51,7 @@ private:
     const SearchSpace& space_;
     const ProblemInput input_;
     const Problem problem_;
-    std::vector<bool> present_;
+    PresentArcs present_;
     KnownSoFar& known_;
     std::size_t large_;
     std::size_t windows_ = 0;

@@ -48,7 +48,7 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
                          const Constraints& constraints, const MotorcycleGraph& graph, double seconds,
                          const Control& control, const KnownCost& tell) {
     const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, {}, constraints, cornerCost);
-    std::vector<bool> present = presentArcs(mesh, complex, space.graph, graph.tracks);
+    PresentArcs present = presentArcs(mesh, complex, space.graph, graph.tracks);
     KnownSoFar known(control, tell, costOf(space, present));
     const Control telling = known.control();
     Improvement result;

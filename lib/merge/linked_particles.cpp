@@ -14,7 +14,7 @@ namespace {
 /// Collects the arcs inside a sub-mesh that may change.
 class Closure {
 public:
-    Closure(const SearchSpace& space, const std::vector<bool>& present, SubMeshId subMesh)
+    Closure(const SearchSpace& space, const PresentArcs& present, SubMeshId subMesh)
         : space_(space), present_(present), subMesh_(subMesh) {}
 
     /// Adds the way of a free particle from its crash point up to the arc that leaves the sub-mesh.
@@ -23,7 +23,7 @@ public:
         std::vector<ArcId> walk;
         appendWalk(space_, particle, walked, subMesh_, walk);
         for (const ArcId step : walk) {
-            if (present_[step.idx()]) break; // the track of the opposite particle
+            if (present_[step]) break; // the track of the opposite particle
             take(step);
         }
     }
@@ -48,7 +48,7 @@ public:
         std::ranges::sort(result.arcs);
         std::map<LineId, int> stops;
         for (const ArcId arc : order_)
-            ++stops[space_.graph.arcs[arc.idx()].line];
+            ++stops[space_.graph.arcs[arc].line];
         result.linked = stops.size() - std::min(stops.size(), freeLines);
         for (const auto& [line, count] : stops)
             result.quasiComplexity += std::log2(count + 1);
@@ -61,7 +61,7 @@ private:
     }
 
     [[nodiscard]] bool touches(ArcId arc) const {
-        return space_.arcBegins[arc.idx()] == subMesh_ || space_.arcEnds[arc.idx()] == subMesh_;
+        return space_.arcBegins[arc] == subMesh_ || space_.arcEnds[arc] == subMesh_;
     }
 
     /// The present arcs that meet an arc at its two ends, of other lines and of its own.
@@ -70,10 +70,10 @@ private:
         const bool isFirst = arc == space_.graph.lineOf(arc).firstArc;
         for (const ArcId before : {arc, arc - 1}) {
             if (before != arc && isFirst) continue;
-            const JunctionId id = space_.graph.junctionAfter[before.idx()];
-            if (!id.valid() || space_.junctionLabels[id.idx()] != subMesh_) continue;
-            for (const ArcId other : space_.graph.junctions[id.idx()].arcs)
-                if (other.valid() && other != arc && present_[other.idx()]) result.push_back(other);
+            const JunctionId id = space_.graph.junctionAfter[before];
+            if (!id.valid() || space_.junctionLabels[id] != subMesh_) continue;
+            for (const ArcId other : space_.graph.junctions[id].arcs)
+                if (other.valid() && other != arc && present_[other]) result.push_back(other);
         }
         return result;
     }
@@ -83,9 +83,9 @@ private:
         if (taken_.contains(arc)) return;
         const Line& line = space_.graph.lineOf(arc);
         ArcId first = arc, last = arc;
-        while (first > line.firstArc && touches(first - 1) && space_.arcBegins[first.idx()] == subMesh_)
+        while (first > line.firstArc && touches(first - 1) && space_.arcBegins[first] == subMesh_)
             first = first - 1;
-        while (last < line.lastArc() && touches(last + 1) && space_.arcEnds[last.idx()] == subMesh_)
+        while (last < line.lastArc() && touches(last + 1) && space_.arcEnds[last] == subMesh_)
             last = last + 1;
         for (const ArcId each : IdRange(first, last + 1))
             if (!leavesPresent(each)) take(each);
@@ -94,11 +94,11 @@ private:
     /// Whether a track crosses the cut here. Such arcs stay, because this search cannot change the track
     /// outside.
     [[nodiscard]] bool leavesPresent(ArcId arc) const {
-        return present_[arc.idx()] && space_.arcBegins[arc.idx()] != space_.arcEnds[arc.idx()];
+        return present_[arc] && space_.arcBegins[arc] != space_.arcEnds[arc];
     }
 
     const SearchSpace& space_;
-    const std::vector<bool>& present_;
+    const PresentArcs& present_;
     SubMeshId subMesh_;
     std::unordered_set<ArcId> taken_;
     std::vector<ArcId> order_;
@@ -107,7 +107,7 @@ private:
 
 } // namespace
 
-LinkedParticles linkedParticles(const SearchSpace& space, const std::vector<bool>& present,
+LinkedParticles linkedParticles(const SearchSpace& space, const PresentArcs& present,
                                 const std::vector<Particle>& particles, SubMeshId subMesh, Linking linking) {
     Closure closure(space, present, subMesh);
     for (const Particle particle : particles)

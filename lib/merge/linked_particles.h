@@ -24,7 +24,7 @@ enum class Linking {
 };
 
 /// \param particles  free particles whose crash points lie in the sub-mesh
-[[nodiscard]] LinkedParticles linkedParticles(const SearchSpace& space, const std::vector<bool>& present,
+[[nodiscard]] LinkedParticles linkedParticles(const SearchSpace& space, const PresentArcs& present,
                                               const std::vector<Particle>& particles, SubMeshId subMesh,
                                               Linking linking);
 

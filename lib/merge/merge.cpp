@@ -16,8 +16,8 @@
 namespace qm {
 namespace {
 
-bool obeys(const SearchSpace& space, const std::vector<bool>& present) {
-    for (std::size_t arc = 0; arc < space.demands.size(); ++arc)
+bool obeys(const SearchSpace& space, const PresentArcs& present) {
+    for (const ArcId arc : space.demands.ids())
         if (space.demands[arc] != ArcState::free && present[arc] != (space.demands[arc] == ArcState::in))
             return false;
     return true;
@@ -39,8 +39,8 @@ MergeResult wholeGraph(const Enumeration& enumeration) {
 /// \return whether it was
 bool takePlainIfCheaper(const QuadMesh& mesh, const BaseComplex& complex,
                         const std::vector<double>& edgeCosts, const SearchSpace& space,
-                        std::vector<bool>& present) {
-    std::vector<bool> plain =
+                        PresentArcs& present) {
+    PresentArcs plain =
         presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, edgeCosts).tracks);
     if (!obeys(space, plain) || costOf(space, plain) >= costOf(space, present)) return false;
     present = std::move(plain);
@@ -50,15 +50,14 @@ bool takePlainIfCheaper(const QuadMesh& mesh, const BaseComplex& complex,
 /// Searches the whole mesh where that is quick, and moves the cut where that has not ended with a proof.
 /// \return a lower bound of the whole mesh, if the search has found one
 std::optional<double> searchAcrossCut(const SearchSpace& space, double complexityLimit,
-                                      const Control& control, std::vector<bool>& present,
-                                      MergeResult& result) {
+                                      const Control& control, PresentArcs& present, MergeResult& result) {
     const std::optional<WholeSearch> whole = searchWhole(space, present, control);
     if (whole) present = whole->present;
     if (!whole || !whole->proven) {
         Control secondHalf = control; // the generators were the first
         secondHalf.progress = [&](double fraction) { control.progress(0.5 + 0.5 * fraction); };
         WindowResult moved = moveCuts(space, present, complexityLimit,
-                                      whole ? whole->relaxed : std::vector<double>(), secondHalf);
+                                      whole ? whole->relaxed : IdVector<ArcId, double>(), secondHalf);
         present = std::move(moved.present);
         result.windows = moved.windows;
         result.improvements = moved.improvements;

@@ -18,8 +18,8 @@ constexpr std::size_t maxWork = 200'000'000;
 
 } // namespace
 
-WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present, double complexity,
-                      std::vector<double> relaxed, const Control& control) {
+WindowResult moveCuts(const SearchSpace& space, const PresentArcs& present, double complexity,
+                      IdVector<ArcId, double> relaxed, const Control& control) {
     WindowOptions options;
     options.relaxed = std::move(relaxed);
     options.minVariables = options.maxVariables =

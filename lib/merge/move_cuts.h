@@ -5,16 +5,13 @@
 #include "enumerate/sub_mesh/search_space.h"
 #include "enumerate/window/window_search.h"
 
-#include <vector>
-
 namespace qm {
 
 /// Searches windows that are no harder than a sub-mesh, wherever the cut runs, up to a limit of their number.
 /// \param present     the arcs of a valid graph of the whole mesh
 /// \param complexity  chi of the sub-meshes
 /// \param relaxed     value of every arc in the relaxed solution; empty if unknown
-[[nodiscard]] WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present,
-                                    double complexity, std::vector<double> relaxed,
-                                    const Control& control = {});
+[[nodiscard]] WindowResult moveCuts(const SearchSpace& space, const PresentArcs& present, double complexity,
+                                    IdVector<ArcId, double> relaxed, const Control& control = {});
 
 } // namespace qm

@@ -24,7 +24,7 @@ struct Tuning {
 
 } // namespace
 
-std::optional<WholeSearch> searchWhole(const SearchSpace& space, const std::vector<bool>& present,
+std::optional<WholeSearch> searchWhole(const SearchSpace& space, const PresentArcs& present,
                                        const Control& control) {
     const Problem problem = makeProblem(wholeInput(space));
     if (problem.arcs.size() > Tuning::maxVariables) return std::nullopt;

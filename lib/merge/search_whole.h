@@ -5,15 +5,14 @@
 #include "enumerate/sub_mesh/search_space.h"
 
 #include <optional>
-#include <vector>
 
 namespace qm {
 
 struct WholeSearch {
-    std::vector<bool> present;   ///< the arcs of a graph that is at most as expensive as the start
-    double lowerBound = 0;       ///< no graph is cheaper
-    bool proven = false;         ///< whether the graph is the cheapest
-    std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if there is none
+    PresentArcs present;             ///< the arcs of a graph that is at most as expensive as the start
+    double lowerBound = 0;           ///< no graph is cheaper
+    bool proven = false;             ///< whether the graph is the cheapest
+    IdVector<ArcId, double> relaxed; ///< value of every arc in the relaxed solution; empty if there is none
 };
 
 /// Most models are proven within a second, sooner than windows could improve the merged graph. Of larger ones
@@ -21,7 +20,7 @@ struct WholeSearch {
 /// does not depend on the machine.
 /// \param present  the arcs of a valid graph of the whole mesh
 /// \return nothing if the mesh has so many lines that the search would take too long
-[[nodiscard]] std::optional<WholeSearch>
-searchWhole(const SearchSpace& space, const std::vector<bool>& present, const Control& control = {});
+[[nodiscard]] std::optional<WholeSearch> searchWhole(const SearchSpace& space, const PresentArcs& present,
+                                                     const Control& control = {});
 
 } // namespace qm

@@ -146,10 +146,10 @@ ColumnId GridProgram::addIndicator(Indicator indicator, double addedQuarters, do
     return program.costs.nextId() - 1;
 }
 
-ColumnValues GridProgram::valuesOf(const std::vector<bool>& present) const {
+ColumnValues GridProgram::valuesOf(const PresentArcs& present) const {
     ColumnValues values(present.begin(), present.end());
     for (const Indicator& indicator : indicators) {
-        const bool any = std::ranges::any_of(indicator.arcs, [&](ArcId arc) { return present[arc.idx()]; });
+        const bool any = std::ranges::any_of(indicator.arcs, [&](ArcId arc) { return present[arc]; });
         values.push_back(any == (indicator.when == Indicator::OneIf::anyIsIn) ? 1 : 0);
     }
     return values;

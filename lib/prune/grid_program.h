@@ -55,8 +55,7 @@ struct GridProgram {
     [[nodiscard]] double segments(const ColumnValues& values) const;
 
     /// All columns.
-    /// \param present  of every arc: whether it is in
-    [[nodiscard]] ColumnValues valuesOf(const std::vector<bool>& present) const;
+    [[nodiscard]] ColumnValues valuesOf(const PresentArcs& present) const;
 };
 
 /// \param layout   what it has removed already may stay so, and where its tracks end is where a further

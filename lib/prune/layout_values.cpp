@@ -19,9 +19,9 @@ ColumnValues valuesOf(const QuadMesh& mesh, const BaseComplex& complex, const Ar
 }
 
 ColumnValues completed(const GridProgram& grids, const ArcGraph& graph, const ColumnValues& solved) {
-    std::vector<bool> present(graph.arcs.size());
-    for (std::size_t arc = 0; arc < present.size(); ++arc)
-        present[arc] = solved[GridProgram::columnOf(ArcId(arc))] > 0.5;
+    PresentArcs present(graph.arcs.size());
+    for (const ArcId arc : present.ids())
+        present[arc] = solved[GridProgram::columnOf(arc)] > 0.5;
     return grids.valuesOf(present);
 }
 

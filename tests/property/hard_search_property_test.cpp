@@ -51,7 +51,7 @@ TEST(HardSearchProperty, DivesAndPolishingEndInTheOptimum) {
         options.hard = 1;
         options.cut = 1;
         options.start = drawn.plain;
-        options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
+        options.polish = [&](const Assignment& graph, const IdVector<VariableId, double>& relaxed) {
             EXPECT_EQ(relaxed.size(), graph.size());
             EXPECT_GE(costOf(drawn.problem, graph), drawn.minCost - 1e-6);
             ++polished;

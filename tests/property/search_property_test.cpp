@@ -65,8 +65,8 @@ std::optional<Case> drawCase(unsigned number) {
     return drawn;
 }
 
-std::vector<bool> presentIn(const Case& drawn, const Assignment& assignment) {
-    std::vector<bool> present(drawn.graph.arcs.size(), false);
+PresentArcs presentIn(const Case& drawn, const Assignment& assignment) {
+    PresentArcs present(drawn.graph.arcs.size(), false);
     apply(drawn.problem, assignment, present);
     return present;
 }
@@ -112,10 +112,10 @@ TEST(SearchProperty, EveryVisitedGraphIsValidAndCounted) {
 
 /// The mesh edges of a graph.
 std::vector<bool> edgesOf(const Case& drawn, const Assignment& graph) {
-    const std::vector<bool> present = presentIn(drawn, graph);
+    const PresentArcs present = presentIn(drawn, graph);
     std::vector<bool> edges(drawn.mesh.n_edges(), false);
-    for (std::size_t arc = 0; arc < present.size(); ++arc)
-        for (const HalfedgeId halfedge : halfedgesOf(drawn.graph, drawn.complex, ArcId(arc)))
+    for (const ArcId arc : present.ids())
+        for (const HalfedgeId halfedge : halfedgesOf(drawn.graph, drawn.complex, arc))
             if (present[arc]) edges[at(drawn.mesh.edge_handle(halfedge))] = true;
     return edges;
 }
@@ -142,7 +142,7 @@ TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
             const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex,
                                                       std::vector(drawn->mesh.n_edges(), 0.0), {}, {}, 1);
             drawn->problem = subMeshProblem(space, SubMeshId(0), ownArcs(space, SubMeshId(0)),
-                                            std::vector(space.graph.arcs.size(), false));
+                                            PresentArcs(space.graph.arcs.size()));
             drawn->problem.gaps = gaps;
             const auto graphs = allGraphs(drawn->problem);
             if (!graphs) continue;
@@ -153,7 +153,7 @@ TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
             for (const Assignment& graph : *graphs) {
                 const auto all = static_cast<double>(countCorners(drawn->mesh, edgesOf(*drawn, graph)));
                 ASSERT_NEAR(costOf(drawn->problem, graph) + fixed, all, 1e-9) << "case " << number;
-                const std::vector<bool> present = presentIn(*drawn, graph);
+                const PresentArcs present = presentIn(*drawn, graph);
                 ASSERT_NEAR(costOf(space, present) + fixed, all, 1e-9) << "case " << number;
                 const auto tracks = (gaps ? graphOf(drawn->mesh, drawn->complex, drawn->graph, present, free)
                                           : tMeshOf(drawn->mesh, drawn->complex, drawn->graph, present, free))

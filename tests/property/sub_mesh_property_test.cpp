@@ -79,23 +79,23 @@ TEST(SubMeshProperty, ASubMeshesOwnLinesAreAllThatItsSearchNeeds) {
     int smaller = 0;
     forEachCase(0, [&](const Case& drawn, std::mt19937&) {
         const SearchSpace& whole = drawn.space;
-        const std::vector<bool> none(whole.graph.arcs.size(), false);
+        const PresentArcs none(whole.graph.arcs.size(), false);
         std::size_t lines = 0;
         for (const SubMeshId subMesh : drawn.parts.ids()) {
             const SearchSpace own = ownSpace(whole, subMesh);
-            const std::vector<bool> ownNone(own.graph.arcs.size(), false);
+            const PresentArcs ownNone(own.graph.arcs.size(), false);
             lines += own.graph.lines.size();
             if (own.graph.lines.size() < whole.graph.lines.size()) ++smaller;
             const Problem ownProblem = subMeshProblem(own, subMesh, ownArcs(own, subMesh), ownNone);
             const Problem wholeProblem = subMeshProblem(whole, subMesh, ownArcs(whole, subMesh), none);
             EXPECT_EQ(numbersOf(ownProblem), numbersOf(wholeProblem));
-            std::vector<bool> ownStraight = ownNone, straight = none;
+            PresentArcs ownStraight = ownNone, straight = none;
             goStraight(own, subMesh, ownStraight);
             goStraight(whole, subMesh, straight);
             EXPECT_EQ(assignmentOf(ownProblem, ownStraight), assignmentOf(wholeProblem, straight));
-            const auto tracksOf = [&](const SearchSpace& space, const std::vector<bool>& present) {
+            const auto tracksOf = [&](const SearchSpace& space, const PresentArcs& present) {
                 return graphOf(drawn.mesh, drawn.complex, space.graph, present, drawn.edgeCosts,
-                               walkersOf(space, subMesh, std::vector(present.size(), false)))
+                               walkersOf(space, subMesh, PresentArcs(present.size())))
                     .tracks;
             };
             const auto ownTracks = tracksOf(own, ownStraight), tracks = tracksOf(whole, straight);
@@ -137,19 +137,19 @@ TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
     forEachCase(1000, [&](const Case& drawn, std::mt19937& random) {
         if (drawn.space.graph.arcs.empty()) return;
         const ArcGraph& graph = drawn.space.graph;
-        std::vector<bool> present(graph.arcs.size(), false);
+        PresentArcs present(graph.arcs.size(), false);
         FreeParticles free(drawn.space, present);
         for (int step = 0; step < 20; ++step) {
             std::vector<ArcId> changed;
             for (std::size_t arc = 0; arc < present.size(); ++arc)
                 if (random() % 10 == 0) changed.emplace_back(arc);
             for (const ArcId arc : changed)
-                present[arc.idx()].flip();
+                present[arc].flip();
             free.update(changed);
             IdVector<SubMeshId, std::vector<Particle>> expected(at(drawn.parts.count));
             for (const Particle particle : freeParticles(graph, present)) {
                 const JunctionId junction = crashJunction(graph, particle, present);
-                expected[drawn.space.junctionLabels[junction.idx()]].push_back(particle);
+                expected[drawn.space.junctionLabels[junction]].push_back(particle);
             }
             std::size_t count = 0;
             for (const SubMeshId subMesh : drawn.parts.ids()) {

@@ -105,42 +105,42 @@ std::vector<Seed> randomSeeds(const QuadMesh& mesh, std::size_t max, std::mt1993
 std::vector<Track> randomGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                const std::vector<double>& edgeCosts, std::mt19937& random) {
     std::vector<bool> visited(mesh.n_vertices()), covered(mesh.n_edges());
-    std::vector<Track> tracks(complex.separatrices.size());
-    using Departure = std::pair<double, std::size_t>;
+    IdVector<SeparatrixId, Track> tracks(complex.separatrices.size());
+    using Departure = std::pair<double, SeparatrixId>;
     std::priority_queue<Departure, std::vector<Departure>, std::greater<>> departures;
     std::exponential_distribution<double> pause(1);
-    for (std::size_t i = 0; i < complex.separatrices.size(); ++i) {
-        visited[at(mesh.from_vertex_handle(complex.separatrices[i].halfedges.front()))] = true;
-        departures.emplace(pause(random), i);
+    for (const SeparatrixId id : complex.separatrices.ids()) {
+        visited[at(mesh.from_vertex_handle(complex.separatrices[id].halfedges.front()))] = true;
+        departures.emplace(pause(random), id);
     }
     while (!departures.empty()) {
-        const auto [time, i] = departures.top();
+        const auto [time, id] = departures.top();
         departures.pop();
-        const auto& path = complex.separatrices[i].halfedges;
-        const HalfedgeId next = path[tracks[i].halfedges.size()];
+        const auto& path = complex.separatrices[id].halfedges;
+        const HalfedgeId next = path[tracks[id].halfedges.size()];
         if (covered[at(mesh.edge_handle(next))]) continue;
         covered[at(mesh.edge_handle(next))] = true;
-        tracks[i].halfedges.push_back(next);
-        tracks[i].cost += edgeCosts[at(mesh.edge_handle(next))];
+        tracks[id].halfedges.push_back(next);
+        tracks[id].cost += edgeCosts[at(mesh.edge_handle(next))];
         const VertexId vertex = mesh.to_vertex_handle(next);
-        if (!visited[at(vertex)] && tracks[i].halfedges.size() < path.size())
-            departures.emplace(time + pause(random), i);
+        if (!visited[at(vertex)] && tracks[id].halfedges.size() < path.size())
+            departures.emplace(time + pause(random), id);
         visited[at(vertex)] = true;
     }
     std::erase_if(tracks, [](const Track& track) { return track.halfedges.empty(); });
     return tracks;
 }
 
-bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present) {
-    const std::vector<double> costs(graph.arcs.size(), 0);
+bool isMotorcycleGraph(const ArcGraph& graph, const PresentArcs& present) {
+    const IdVector<ArcId, double> costs(graph.arcs.size(), 0);
     const Problem problem = makeProblem({graph, costs, {}, {}, {}, {}});
     SearchState state(problem);
     if (!state.consistent()) return false;
     for (const VariableId v : problem.variables()) {
         const ArcRun& run = problem.arcs[v];
-        const bool in = present[run.first.idx()];
+        const bool in = present[run.first];
         for (int k = 1; k < run.count; ++k)
-            if (present[(run.first + k).idx()] != in) return false;
+            if (present[run.first + k] != in) return false;
         if (state.isFree(v) ? !state.assign(v, in ? ArcState::in : ArcState::out)
                             : state.value(v) != (in ? ArcState::in : ArcState::out))
             return false;

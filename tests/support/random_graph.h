@@ -27,6 +27,6 @@ namespace qm::test {
                                              const std::vector<double>& edgeCosts, std::mt19937& random);
 
 /// Whether the arcs are a motorcycle graph of the whole mesh, by rules 1 to 4.
-[[nodiscard]] bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present);
+[[nodiscard]] bool isMotorcycleGraph(const ArcGraph& graph, const PresentArcs& present);
 
 } // namespace qm::test

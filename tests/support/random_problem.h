@@ -12,7 +12,7 @@ namespace qm::test {
 /// A whole mesh as a search problem.
 struct RandomProblem {
     ArcGraph graph;
-    std::vector<double> costs; ///< of every arc
+    IdVector<ArcId, double> costs; ///< of every arc
     std::optional<Problem> problem;
     std::vector<Assignment> graphs; ///< all, or the first 300
 };

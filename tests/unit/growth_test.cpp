@@ -92,7 +92,7 @@ std::map<std::string, double> bytesOfStages(int voxels) {
 double bytesOfFormulations(std::size_t solids) {
     const QuadMesh mesh = quadMesh(together(std::vector(solids, polycube(bump()))));
     const ArcGraph graph = buildArcGraph(mesh, buildBaseComplex(mesh));
-    const std::vector<double> costs(graph.arcs.size(), 1);
+    const IdVector<ArcId, double> costs(graph.arcs.size(), 1);
     const Problem problem = makeProblem({graph, costs, {}, {}, {}, {}});
     SearchState state(problem);
     const auto parts = independentParts(state);

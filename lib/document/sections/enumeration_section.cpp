@@ -11,8 +11,8 @@ namespace qm {
 
 SeparatrixIndex::SeparatrixIndex(const QuadMesh& mesh, const BaseComplex& complex)
     : starts_(mesh.n_halfedges()) {
-    for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
-        starts_[at(complex.separatrices[i].halfedges.front())] = SeparatrixId(i);
+    for (const SeparatrixId id : complex.separatrices.ids())
+        starts_[at(complex.separatrices[id].halfedges.front())] = id;
 }
 
 Json graphToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, const MotorcycleGraph& graph) {

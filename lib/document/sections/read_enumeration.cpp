@@ -107,7 +107,7 @@ private:
     void verifyWay(const JsonPlace& vertices, const std::vector<HalfedgeId>& path) const {
         const SeparatrixId id = ofComplex_.startingWith(path.front());
         if (!id.valid()) vertices.failAt(0, "no particle starts here in this direction");
-        const std::vector<HalfedgeId>& way = context_.complex.separatrices[id.idx()].halfedges;
+        const std::vector<HalfedgeId>& way = context_.complex.separatrices[id].halfedges;
         const std::size_t same =
             positionIn(path, std::mismatch(path.begin(), path.end(), way.begin(), way.end()).first);
         if (same < path.size())

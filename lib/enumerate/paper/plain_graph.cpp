@@ -40,9 +40,7 @@ private:
         auto operator<=>(const Arrival&) const = default;
     };
 
-    [[nodiscard]] const Separatrix& separatrix(SeparatrixId id) const {
-        return complex_.separatrices[id.idx()];
-    }
+    [[nodiscard]] const Separatrix& separatrix(SeparatrixId id) const { return complex_.separatrices[id]; }
 
     /// Moves every particle over its next edge; a particle whose opposite is there already stops.
     std::vector<Arrival> advance(const std::vector<SeparatrixId>& active) {
@@ -134,7 +132,7 @@ MotorcycleGraph plainMotorcycleGraph(const QuadMesh& mesh, const BaseComplex& co
     MotorcycleGraph graph;
     for (const SeparatrixId i : walked.ids()) {
         if (walked[i] == 0) continue;
-        const std::span path(complex.separatrices[i.idx()].halfedges);
+        const std::span path(complex.separatrices[i].halfedges);
         graph.add(trackOf(mesh, path.first(walked[i]), edgeCosts));
     }
     return graph;

@@ -1,11 +1,11 @@
 /// \file What is known before a search about arcs, and about junctions beyond the cut.
 #pragma once
 
-#include "base/ids.h"
+#include "base/id_vector.h"
+#include "basecomplex/arc_graph.h"
 
 #include <span>
 #include <unordered_set>
-#include <vector>
 
 namespace qm {
 
@@ -18,17 +18,17 @@ public:
     /// All arcs are free.
     ArcStates() = default;
     /// Some arcs are free; every other arc is fixed to what it is in a graph.
-    /// \param present  for every arc, whether the graph has it; must outlive this
-    ArcStates(const std::vector<bool>& present, std::span<const ArcId> freeArcs)
+    /// \param present  the arcs of the graph; must outlive this
+    ArcStates(const PresentArcs& present, std::span<const ArcId> freeArcs)
         : present_(&present), free_(freeArcs.begin(), freeArcs.end()) {}
 
     [[nodiscard]] ArcState operator[](ArcId arc) const {
         if (present_ == nullptr || free_.contains(arc)) return ArcState::free;
-        return (*present_)[arc.idx()] ? ArcState::in : ArcState::out;
+        return (*present_)[arc] ? ArcState::in : ArcState::out;
     }
 
 private:
-    const std::vector<bool>* present_ = nullptr;
+    const PresentArcs* present_ = nullptr;
     std::unordered_set<ArcId> free_;
 };
 
@@ -38,15 +38,15 @@ public:
     /// No junction is open.
     OpenJunctions() = default;
     /// \param labels  the sub-mesh of every junction; must outlive this
-    OpenJunctions(const std::vector<SubMeshId>& labels, SubMeshId subMesh)
+    OpenJunctions(const IdVector<JunctionId, SubMeshId>& labels, SubMeshId subMesh)
         : labels_(&labels), subMesh_(subMesh) {}
 
     [[nodiscard]] bool contains(JunctionId junction) const {
-        return labels_ != nullptr && (*labels_)[junction.idx()] != subMesh_;
+        return labels_ != nullptr && (*labels_)[junction] != subMesh_;
     }
 
 private:
-    const std::vector<SubMeshId>* labels_ = nullptr;
+    const IdVector<JunctionId, SubMeshId>* labels_ = nullptr;
     SubMeshId subMesh_;
 };
 

@@ -15,33 +15,33 @@ double costOf(const Problem& problem, const Assignment& assignment) {
     return cost;
 }
 
-Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present) {
+Assignment assignmentOf(const Problem& problem, const PresentArcs& present) {
     Assignment assignment(problem.domains.size(), 0);
     assignment[problem.in()] = 1;
     for (const VariableId v : problem.variables())
-        assignment[v] = present[problem.arcs[v].first.idx()] ? 1 : 0;
+        assignment[v] = present[problem.arcs[v].first] ? 1 : 0;
     return assignment;
 }
 
 std::vector<ArcId> differences(const Problem& problem, const Assignment& assignment,
-                               const std::vector<bool>& present) {
+                               const PresentArcs& present) {
     std::vector<ArcId> result;
     for (const VariableId v : problem.variables())
         for (const ArcId arc : problem.arcs[v].arcs())
-            if (present[arc.idx()] != (assignment[v] == 1)) result.push_back(arc);
+            if (present[arc] != (assignment[v] == 1)) result.push_back(arc);
     return result;
 }
 
-void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present) {
+void apply(const Problem& problem, const Assignment& assignment, PresentArcs& present) {
     for (const VariableId v : problem.variables())
         for (const ArcId arc : problem.arcs[v].arcs())
-            present[arc.idx()] = assignment[v] == 1;
+            present[arc] = assignment[v] == 1;
 }
 
-std::vector<double> arcValues(const Problem& problem, const IdVector<VariableId, double>& values,
-                              std::size_t arcs) {
+IdVector<ArcId, double> arcValues(const Problem& problem, const IdVector<VariableId, double>& values,
+                                  std::size_t arcs) {
     if (values.empty()) return {};
-    std::vector<double> result(arcs, 0);
+    IdVector<ArcId, double> result(arcs, 0);
     for (const VariableId v : problem.variables())
         std::fill_n(result.begin() + problem.arcs[v].first.value(), problem.arcs[v].count, values[v]);
     return result;

@@ -14,18 +14,18 @@ using Assignment = IdVector<VariableId, signed char>;
 [[nodiscard]] double costOf(const Problem& problem, const Assignment& assignment);
 
 /// The assignment that describes a graph.
-[[nodiscard]] Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present);
+[[nodiscard]] Assignment assignmentOf(const Problem& problem, const PresentArcs& present);
 
 /// The arcs that are present in the graph and out in the assignment, or the other way round.
 [[nodiscard]] std::vector<ArcId> differences(const Problem& problem, const Assignment& assignment,
-                                             const std::vector<bool>& present);
+                                             const PresentArcs& present);
 
 /// Overwrites the arcs of all variables with the values of an assignment.
-void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present);
+void apply(const Problem& problem, const Assignment& assignment, PresentArcs& present);
 
 /// The value of every arc, such as in a relaxed solution: that of its variable; 0 if it is not free.
 /// \return empty if there are no values
-[[nodiscard]] std::vector<double> arcValues(const Problem& problem,
-                                            const IdVector<VariableId, double>& values, std::size_t arcs);
+[[nodiscard]] IdVector<ArcId, double> arcValues(const Problem& problem,
+                                                const IdVector<VariableId, double>& values, std::size_t arcs);
 
 } // namespace qm

@@ -44,7 +44,7 @@ private:
     }
 
     [[nodiscard]] bool findCrackable(LineId id) const {
-        const Line& line = graph_.lines[id.idx()];
+        const Line& line = graph_.lines[id];
         if (!line.backward) return false;
         const ChainId chain = chainOf_[id];
         if (chain.valid()) return chains_[chain].coveredBefore && chains_[chain].coveredAfter;
@@ -52,7 +52,7 @@ private:
                                    [&](ArcId arc) { return input_.states[arc] == ArcState::in; });
     }
 
-    [[nodiscard]] LineId lineOf(ArcId arc) const { return graph_.arcs[arc.idx()].line; }
+    [[nodiscard]] LineId lineOf(ArcId arc) const { return graph_.arcs[arc].line; }
     [[nodiscard]] bool isFixed(LineId line) const { return !chainOf_[line].valid(); }
 
     /// The lines that fixed crossings join to a line, itself included, and the number of cracks that all of
@@ -62,12 +62,11 @@ private:
         std::set<JunctionId> crossings;
         for (std::size_t next = 0; next < lines.size(); ++next) {
             if (!isFixed(lines[next])) continue;
-            const Line& line = graph_.lines[lines[next].idx()];
+            const Line& line = graph_.lines[lines[next]];
             for (int k = -1; k < line.arcCount; ++k) {
                 const JunctionId junction =
                     k < 0 ? line.beginsAt
-                          : (k == line.arcCount - 1 ? line.endsAt
-                                                    : graph_.junctionAfter[(line.firstArc + k).idx()]);
+                          : (k == line.arcCount - 1 ? line.endsAt : graph_.junctionAfter[line.firstArc + k]);
                 if (junction.valid()) follow(lines[next], junction, lines, crossings);
             }
         }
@@ -76,7 +75,7 @@ private:
 
     /// Follows a junction from one of its lines to the other. A seed's own line is never cracked at the seed.
     void follow(LineId from, JunctionId id, std::vector<LineId>& lines, std::set<JunctionId>& crossings) {
-        const Junction& junction = graph_.junctions[id.idx()];
+        const Junction& junction = graph_.junctions[id];
         if (!isFixedCrossing(junction)) return;
         const LineId a = lineOf(junction.arcs[0]), b = lineOf(junction.arcs[1]);
         const bool aFull = !junction.seeded && isCrackable(a), bFull = isCrackable(b);

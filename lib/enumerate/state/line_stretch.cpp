@@ -19,12 +19,12 @@ bool allIn(const ProblemInput& input, const Line& line, int begin, int end) {
 }
 
 bool hasSourceAtEnd(const ProblemInput& input, LineId line) {
-    return input.graph.lines[line.idx()].backward && input.walkers.fromEnd(line);
+    return input.graph.lines[line].backward && input.walkers.fromEnd(line);
 }
 
 /// The stretch from the first free arc to the last; `last` is negative if there is none.
 LineStretch wholeStretch(const ProblemInput& input, LineId id) {
-    const Line& line = input.graph.lines[id.idx()];
+    const Line& line = input.graph.lines[id];
     LineStretch stretch;
     stretch.first = line.arcCount;
     for (int k = 0; k < line.arcCount; ++k)
@@ -43,10 +43,10 @@ LineStretch wholeStretch(const ProblemInput& input, LineId id) {
 }
 
 [[noreturn]] void throwContradiction(const ArcGraph& graph, ArcId arc, ArcState demand) {
-    const JunctionId junction = graph.junctionAfter[arc.idx()];
+    const JunctionId junction = graph.junctionAfter[arc];
     const std::string place =
         "separatrix " + std::to_string(graph.lineOf(arc).forward.value()) +
-        (junction.valid() ? " before vertex " + std::to_string(graph.junctions[junction.idx()].vertex.idx())
+        (junction.valid() ? " before vertex " + std::to_string(graph.junctions[junction].vertex.idx())
                           : std::string(", last arc"));
     throw Error(place,
                 demand == ArcState::out ? "it is forbidden, but every motorcycle graph needs it"
@@ -60,7 +60,7 @@ std::vector<LineStretch> stretchesOf(const ProblemInput& input, LineId line) {
     const LineStretch whole = wholeStretch(input, line);
     if (whole.last < 0) return {};
     const ArcId meeting = input.walkers.meeting(line);
-    const int met = meeting.valid() ? meeting.value() - input.graph.lines[line.idx()].firstArc.value() : -1;
+    const int met = meeting.valid() ? meeting.value() - input.graph.lines[line].firstArc.value() : -1;
     if (met < whole.first || met >= whole.last) return {whole};
     LineStretch first = whole, second = whole;
     first.last = met;
@@ -71,7 +71,7 @@ std::vector<LineStretch> stretchesOf(const ProblemInput& input, LineId line) {
 }
 
 ArcState domainOf(const ProblemInput& input, LineId id, const LineStretch& stretch, int position) {
-    const Line& line = input.graph.lines[id.idx()];
+    const Line& line = input.graph.lines[id];
     const ArcId arc = line.firstArc + position;
     // If a track goes on beyond the stretch without a source of its own, its particle must come through here.
     const bool mustCover =

@@ -39,7 +39,7 @@ private:
     std::vector<JunctionId> junctionsOfChains() const {
         std::vector<JunctionId> junctions;
         for (const LineId id : chainLines_) {
-            const Line& line = graph_.lines[id.idx()];
+            const Line& line = graph_.lines[id];
             junctions.insert(junctions.end(), {line.beginsAt, line.endsAt});
             const auto inner = graph_.junctionAfter.begin() + line.firstArc.value();
             junctions.insert(junctions.end(), inner, inner + line.arcCount - 1);
@@ -52,8 +52,8 @@ private:
     std::vector<LineId> linesAt(const std::vector<JunctionId>& junctions) const {
         std::vector<LineId> lines = chainLines_;
         for (const JunctionId id : junctions)
-            for (const ArcId arc : graph_.junctions[id.idx()].arcs)
-                if (arc.valid()) lines.push_back(graph_.arcs[arc.idx()].line);
+            for (const ArcId arc : graph_.junctions[id].arcs)
+                if (arc.valid()) lines.push_back(graph_.arcs[arc].line);
         sortUnique(lines);
         return lines;
     }
@@ -70,7 +70,7 @@ private:
     void addStretch(LineId id, const LineStretch& stretch) {
         const VariableId first = problem_.arcs.nextId();
         for (int k = stretch.first; k <= stretch.last; ++k)
-            addArc(graph_.lines[id.idx()], k, k > stretch.first, domainOf(input_, id, stretch, k));
+            addArc(graph_.lines[id], k, k > stretch.first, domainOf(input_, id, stretch, k));
         problem_.chains.push_back({first, problem_.arcs.nextId().value() - first.value(),
                                    stretch.beforeAnchored, stretch.afterAnchored});
     }
@@ -81,10 +81,10 @@ private:
         if (mayJoin && passesFreely(arc - 1)) {
             restrictDomain(graph_, arc, problem_.domains.back(), domain);
             ++problem_.arcs.back().count;
-            problem_.costs.back() += input_.arcCosts[arc.idx()];
+            problem_.costs.back() += input_.arcCosts[arc];
         } else {
             problem_.arcs.push_back({arc, 1});
-            problem_.costs.push_back(input_.arcCosts[arc.idx()]);
+            problem_.costs.push_back(input_.arcCosts[arc]);
             problem_.domains.push_back(domain);
         }
         variableOf_.put(arc, problem_.arcs.nextId() - 1);
@@ -92,14 +92,14 @@ private:
 
     /// No track can end at the junction after an arc: nothing crosses there.
     bool passesFreely(ArcId arc) const {
-        const JunctionId id = graph_.junctionAfter[arc.idx()];
+        const JunctionId id = graph_.junctionAfter[arc];
         if (input_.open.contains(id)) return false;
-        return std::ranges::all_of(graph_.junctions[id.idx()].across(arc), [&](ArcId crossing) {
+        return std::ranges::all_of(graph_.junctions[id].across(arc), [&](ArcId crossing) {
             return !crossing.valid() || input_.states[crossing] == ArcState::out;
         });
     }
 
-    ChainId chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line]; }
+    ChainId chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc].line]; }
 
     VariableId variable(ArcId arc) const {
         if (!arc.valid()) return problem_.out();
@@ -109,8 +109,8 @@ private:
     }
 
     CrossingSide side(JunctionId id, std::size_t k) const {
-        const Junction& junction = graph_.junctions[id.idx()];
-        const LineId line = graph_.arcs[junction.arcs[k].idx()].line;
+        const Junction& junction = graph_.junctions[id];
+        const LineId line = graph_.arcs[junction.arcs[k]].line;
         const bool seeded = junction.isSeedOf(k);
         return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]),
                 seeded ? CrackNodeId() : nodeOf_[line], seeded};
@@ -133,14 +133,13 @@ private:
         for (const std::size_t k : {0U, 1U}) {
             if (junction.isSeedOf(k)) continue; // the seed's particles begin here, and meet elsewhere
             const ArcId before = std::min(junction.arcs[k], junction.arcs[k + 2]);
-            if (before.valid() && input_.walkers.meeting(graph_.arcs[before.idx()].line) == before)
-                return true;
+            if (before.valid() && input_.walkers.meeting(graph_.arcs[before].line) == before) return true;
         }
         return false;
     }
 
     void addCrossing(JunctionId id) {
-        const Junction& junction = graph_.junctions[id.idx()];
+        const Junction& junction = graph_.junctions[id];
         if (!junction.crossed() || isSettled(junction) || isMeeting(junction)) return;
         bool anyFree = false, anyOut = false, onChain = false;
         for (const ArcId arc : junction.arcs) {

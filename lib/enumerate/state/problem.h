@@ -93,7 +93,7 @@ struct Problem {
 /// What surrounds a search.
 struct ProblemInput {
     const ArcGraph& graph;
-    const std::vector<double>& arcCosts;
+    const IdVector<ArcId, double>& arcCosts;
     ArcStates states; ///< the free arcs become variables
     /// Of every arc: `in` or `out` where a person demands it, else `free`; may be empty.
     std::span<const ArcState> demands;

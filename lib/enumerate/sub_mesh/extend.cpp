@@ -4,37 +4,37 @@
 
 namespace qm {
 
-void extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
+void extendParticle(const ArcGraph& graph, Particle particle, PresentArcs& present,
                     const OpenJunctions& open) {
     const LineWalk walk(graph, particle);
     const auto stops = [&](int walked) {
         if (walked == walk.arcCount()) return true;
         return walked > 0 && (walk.blocked(walked, present) || open.contains(walk.junction(walked)));
     };
-    for (int walked = walk.covered(present); !stops(walked) && !present[walk.arc(walked).idx()]; ++walked)
-        present[walk.arc(walked).idx()] = true;
+    for (int walked = walk.covered(present); !stops(walked) && !present[walk.arc(walked)]; ++walked)
+        present[walk.arc(walked)] = true;
 }
 
-JunctionId crashJunction(const ArcGraph& graph, Particle particle, const std::vector<bool>& present) {
+JunctionId crashJunction(const ArcGraph& graph, Particle particle, const PresentArcs& present) {
     const LineWalk walk(graph, particle);
     const int covered = walk.covered(present);
     return covered == 0 ? JunctionId{} : walk.junction(covered);
 }
 
-bool isFree(const ArcGraph& graph, Particle particle, const std::vector<bool>& present) {
+bool isFree(const ArcGraph& graph, Particle particle, const PresentArcs& present) {
     const LineWalk walk(graph, particle);
     const int covered = walk.covered(present);
     return covered > 0 && covered < walk.arcCount() && !walk.blocked(covered, present);
 }
 
-std::vector<Particle> freeParticles(const ArcGraph& graph, const std::vector<bool>& present) {
+std::vector<Particle> freeParticles(const ArcGraph& graph, const PresentArcs& present) {
     std::vector<Particle> result;
     const auto addIfFree = [&](Particle particle) {
         if (isFree(graph, particle, present)) result.push_back(particle);
     };
-    for (std::size_t line = 0; line < graph.lines.size(); ++line) {
-        addIfFree({LineId(line), false});
-        if (graph.lines[line].backward) addIfFree({LineId(line), true});
+    for (const LineId line : graph.lines.ids()) {
+        addIfFree({line, false});
+        if (graph.lines[line].backward) addIfFree({line, true});
     }
     return result;
 }

@@ -21,26 +21,25 @@ struct Particle {
 
 /// Lets the particle walk on from the end of its track: to the first junction where both arcs of the crossing
 /// line are present, to its opposite's track, to the end of its line, or over an arc into an open junction.
-/// \param present  for every arc, whether it is present; changed
+/// \param present  changed
 /// \param open     junctions where the walk may end unfinished
-void extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
+void extendParticle(const ArcGraph& graph, Particle particle, PresentArcs& present,
                     const OpenJunctions& open = {});
 
 /// Lets free particles walk on until none is left; next is always the one whose new arcs cost least, and
 /// among equal costs the first. When a new track crosses the way of free particles, their walks get shorter;
 /// no other walks are computed again.
 /// \return the number of particles that have walked on
-std::size_t extendCheapestFirst(const ArcGraph& graph, const std::vector<double>& arcCosts,
-                                std::vector<bool>& present);
+std::size_t extendCheapestFirst(const ArcGraph& graph, const IdVector<ArcId, double>& arcCosts,
+                                PresentArcs& present);
 
 /// Whether the particle's track ends unfinished, at a junction that the other line does not pass (rule 2).
-[[nodiscard]] bool isFree(const ArcGraph& graph, Particle particle, const std::vector<bool>& present);
+[[nodiscard]] bool isFree(const ArcGraph& graph, Particle particle, const PresentArcs& present);
 
 /// The particles whose tracks end unfinished.
-[[nodiscard]] std::vector<Particle> freeParticles(const ArcGraph& graph, const std::vector<bool>& present);
+[[nodiscard]] std::vector<Particle> freeParticles(const ArcGraph& graph, const PresentArcs& present);
 
 /// The junction where the particle's track ends; none at the line's far end and before its first arc.
-[[nodiscard]] JunctionId crashJunction(const ArcGraph& graph, Particle particle,
-                                       const std::vector<bool>& present);
+[[nodiscard]] JunctionId crashJunction(const ArcGraph& graph, Particle particle, const PresentArcs& present);
 
 } // namespace qm

@@ -26,14 +26,13 @@ public:
 
 private:
     void addLine(LineId id) {
-        const Line& line = whole_.lines[id.idx()];
+        const Line& line = whole_.lines[id];
         ArcGraph& graph = part_.graph;
-        const LineId own(graph.lines.size());
+        const LineId own = graph.lines.nextId();
         graph.lines.push_back(line);
-        graph.lines.back().firstArc = ArcId(graph.arcs.size());
-        for (const ArcId original : line.arcs()) {
-            const std::size_t arc = original.idx();
-            arcOf_.put(original, ArcId(graph.arcs.size()));
+        graph.lines.back().firstArc = graph.arcs.nextId();
+        for (const ArcId arc : line.arcs()) {
+            arcOf_.put(arc, graph.arcs.nextId());
             graph.arcs.push_back({own, whole_.arcs[arc].begin, whole_.arcs[arc].end});
             graph.junctionAfter.push_back(whole_.junctionAfter[arc]);
             part_.arcCosts.push_back(space_.arcCosts[arc]);
@@ -50,9 +49,9 @@ private:
         sortUnique(met);
         SparseIndex<JunctionId, JunctionId> junctionOf;
         for (const JunctionId id : met) {
-            junctionOf.put(id, JunctionId(part_.graph.junctions.size()));
-            part_.graph.junctions.push_back(ownJunction(whole_.junctions[id.idx()]));
-            part_.junctionLabels.push_back(space_.junctionLabels[id.idx()]);
+            junctionOf.put(id, part_.graph.junctions.nextId());
+            part_.graph.junctions.push_back(ownJunction(whole_.junctions[id]));
+            part_.junctionLabels.push_back(space_.junctionLabels[id]);
         }
         forEachNamed([&](JunctionId& junction) { junction = junctionOf[junction]; });
     }

@@ -16,15 +16,15 @@ std::string nameOf(const QuadMesh& mesh, EdgeId edge) {
     return "edge " + std::to_string(from.idx()) + " " + std::to_string(to.idx());
 }
 
-std::vector<ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                const Constraints& constraints) {
+IdVector<ArcId, ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                    const Constraints& constraints) {
     if (constraints.required.empty() && constraints.forbidden.empty()) return {};
     const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, complex);
-    std::vector<ArcState> demands(graph.arcs.size(), ArcState::free);
+    IdVector<ArcId, ArcState> demands(graph.arcs.size(), ArcState::free);
     const auto demand = [&](EdgeId edge, ArcState state) {
         const ArcId arc = arcOf[at(edge)];
         if (!arc.valid()) return false;
-        ArcState& current = demands[arc.idx()];
+        ArcState& current = demands[arc];
         if (current != ArcState::free && current != state)
             throw Error(nameOf(mesh, edge), "its arc is both required and forbidden",
                         "Take one of them out of /constraints");
@@ -54,8 +54,8 @@ SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
     space.graph = buildArcGraph(mesh, complex, subMeshes.labels);
     space.arcCosts = sumOverArcs(mesh, space.graph, complex, edgeCosts);
     space.demands = demandsOf(mesh, complex, space.graph, constraints);
-    for (std::size_t arc = 0; arc < space.graph.arcs.size(); ++arc) {
-        const auto halfedges = halfedgesOf(space.graph, complex, ArcId(arc));
+    for (const ArcId arc : space.graph.arcs.ids()) {
+        const auto halfedges = halfedgesOf(space.graph, complex, arc);
         space.arcBegins.push_back(subMeshes.of(mesh.from_vertex_handle(halfedges.front())));
         space.arcEnds.push_back(subMeshes.of(mesh.to_vertex_handle(halfedges.back())));
     }
@@ -64,16 +64,16 @@ SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
         const ArcId last = line.lastArc();
         const VertexId end = mesh.to_vertex_handle(halfedgesOf(space.graph, complex, last).back());
         if (!line.backward && mesh.is_boundary(end) && isRegular(mesh, end))
-            space.arcCosts[last.idx()] += 2 * cornerCost;
+            space.arcCosts[last] += 2 * cornerCost;
     }
     for (const Junction& junction : space.graph.junctions)
         space.junctionLabels.push_back(subMeshes.of(junction.vertex));
-    for (std::size_t i = 0; i < space.graph.lines.size(); ++i) {
-        const Line& line = space.graph.lines[i];
-        const SubMeshId begin = space.arcBegins[line.firstArc.idx()];
-        const SubMeshId end = space.arcEnds[line.lastArc().idx()];
-        space.linesOf[begin].emplace_back(i);
-        if (line.backward && end != begin) space.linesOf[end].emplace_back(i);
+    for (const LineId id : space.graph.lines.ids()) {
+        const Line& line = space.graph.lines[id];
+        const SubMeshId begin = space.arcBegins[line.firstArc];
+        const SubMeshId end = space.arcEnds[line.lastArc()];
+        space.linesOf[begin].push_back(id);
+        if (line.backward && end != begin) space.linesOf[end].push_back(id);
     }
     return space;
 }
@@ -82,11 +82,11 @@ ProblemInput wholeInput(const SearchSpace& space) {
     return {space.graph, space.arcCosts, {}, space.demands, {}, {}, space.cornerCost};
 }
 
-double costOf(const SearchSpace& space, const std::vector<bool>& present) {
+double costOf(const SearchSpace& space, const PresentArcs& present) {
     double cost = 0;
-    for (std::size_t arc = 0; arc < present.size(); ++arc)
+    for (const ArcId arc : present.ids())
         if (present[arc]) cost += space.arcCosts[arc];
-    const auto in = [&](ArcId arc) { return arc.valid() && present[arc.idx()] ? 1 : 0; };
+    const auto in = [&](ArcId arc) { return arc.valid() && present[arc] ? 1 : 0; };
     for (const Junction& junction : space.graph.junctions)
         cost += space.cornerCost * cornersAt(in(junction.arcs[0]) + in(junction.arcs[2]),
                                              in(junction.arcs[1]) + in(junction.arcs[3]));
@@ -96,8 +96,8 @@ double costOf(const SearchSpace& space, const std::vector<bool>& present) {
 void appendWalk(const SearchSpace& space, Particle particle, int from, SubMeshId subMesh,
                 std::vector<ArcId>& arcs) {
     const LineWalk walk(space.graph, particle);
-    const std::vector<SubMeshId>& starts = particle.fromEnd ? space.arcEnds : space.arcBegins;
-    for (int walked = from; walked < walk.arcCount() && starts[walk.arc(walked).idx()] == subMesh; ++walked)
+    const IdVector<ArcId, SubMeshId>& starts = particle.fromEnd ? space.arcEnds : space.arcBegins;
+    for (int walked = from; walked < walk.arcCount() && starts[walk.arc(walked)] == subMesh; ++walked)
         arcs.push_back(walk.arc(walked));
 }
 
@@ -111,18 +111,18 @@ std::vector<ArcId> ownArcs(const SearchSpace& space, SubMeshId subMesh) {
     std::vector<ArcId> arcs;
     for (const LineId line : linesFrom(space, subMesh)) {
         appendWalk(space, {line, false}, 0, subMesh, arcs);
-        if (space.graph.lines[line.idx()].backward) appendWalk(space, {line, true}, 0, subMesh, arcs);
+        if (space.graph.lines[line].backward) appendWalk(space, {line, true}, 0, subMesh, arcs);
     }
     return arcs;
 }
 
-Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const std::vector<bool>& present,
+Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const PresentArcs& present,
                   const std::vector<LineId>& others) {
     std::unordered_map<LineId, LineWalkers> walkers;
     for (const auto* lines : {&others, &linesFrom(space, subMesh)})
         for (const LineId id : *lines) {
-            const Line& line = space.graph.lines[id.idx()];
-            const std::size_t first = line.firstArc.idx(), last = line.lastArc().idx();
+            const Line& line = space.graph.lines[id];
+            const ArcId first = line.firstArc, last = line.lastArc();
             std::vector<ArcId> there, back;
             appendWalk(space, {id, false}, 0, subMesh, there);
             if (line.backward) appendWalk(space, {id, true}, 0, subMesh, back);
@@ -135,27 +135,27 @@ Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const std::vector
 }
 
 Problem subMeshProblem(const SearchSpace& space, SubMeshId subMesh, const std::vector<ArcId>& freeArcs,
-                       const std::vector<bool>& present) {
+                       const PresentArcs& present) {
     std::vector<LineId> lines;
     lines.reserve(freeArcs.size());
     for (const ArcId arc : freeArcs)
-        lines.push_back(space.graph.arcs[arc.idx()].line);
+        lines.push_back(space.graph.arcs[arc].line);
     sortUnique(lines);
     return makeProblem({space.graph, space.arcCosts, ArcStates(present, freeArcs), space.demands,
                         OpenJunctions(space.junctionLabels, subMesh),
                         walkersOf(space, subMesh, present, lines), space.cornerCost, std::move(lines)});
 }
 
-void goStraight(const SearchSpace& space, SubMeshId subMesh, std::vector<bool>& present) {
+void goStraight(const SearchSpace& space, SubMeshId subMesh, PresentArcs& present) {
     std::vector<Particle> own;
     for (const LineId id : linesFrom(space, subMesh)) {
-        const Line& line = space.graph.lines[id.idx()];
-        if (space.arcBegins[line.firstArc.idx()] == subMesh) own.push_back({id, false});
-        if (line.backward && space.arcEnds[line.lastArc().idx()] == subMesh) own.push_back({id, true});
+        const Line& line = space.graph.lines[id];
+        if (space.arcBegins[line.firstArc] == subMesh) own.push_back({id, false});
+        if (line.backward && space.arcEnds[line.lastArc()] == subMesh) own.push_back({id, true});
     }
     // No particle is idle, so all first arcs must be present before a particle passes a seed.
     for (const Particle particle : own)
-        present[LineWalk(space.graph, particle).arc(0).idx()] = true;
+        present[LineWalk(space.graph, particle).arc(0)] = true;
     for (const Particle particle : own)
         extendParticle(space.graph, particle, present, OpenJunctions(space.junctionLabels, subMesh));
 }

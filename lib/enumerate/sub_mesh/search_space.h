@@ -13,11 +13,11 @@ namespace qm {
 
 struct SearchSpace {
     ArcGraph graph;
-    std::vector<double> arcCosts;
-    std::vector<ArcState> demands;    ///< constraint on every arc; empty without constraints
-    std::vector<SubMeshId> arcBegins; ///< sub-mesh of the vertex where each arc begins on its line
-    std::vector<SubMeshId> arcEnds;   ///< likewise where each arc ends
-    std::vector<SubMeshId> junctionLabels;
+    IdVector<ArcId, double> arcCosts;
+    IdVector<ArcId, ArcState> demands;    ///< constraint on every arc; empty without constraints
+    IdVector<ArcId, SubMeshId> arcBegins; ///< sub-mesh of the vertex where each arc begins on its line
+    IdVector<ArcId, SubMeshId> arcEnds;   ///< likewise where each arc ends
+    IdVector<JunctionId, SubMeshId> junctionLabels;
     /// The lines with a source in each sub-mesh, ascending; no entry for sub-meshes without sources.
     std::unordered_map<SubMeshId, std::vector<LineId>> linesOf;
     double cornerCost = 0; ///< of every corner of a segment
@@ -33,7 +33,7 @@ struct SearchSpace {
 [[nodiscard]] ProblemInput wholeInput(const SearchSpace& space);
 
 /// The cost of a graph: of its arcs, and of the corners at junctions.
-[[nodiscard]] double costOf(const SearchSpace& space, const std::vector<bool>& present);
+[[nodiscard]] double costOf(const SearchSpace& space, const PresentArcs& present);
 
 /// Appends the arcs that a particle can walk in a sub-mesh, from position `from`, counted from its source, up
 /// to and including the arc that leaves the sub-mesh.
@@ -47,16 +47,16 @@ void appendWalk(const SearchSpace& space, Particle particle, int from, SubMeshId
 [[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, SubMeshId subMesh);
 
 /// The particles that start in a sub-mesh, and those of the lines in `others` that have walked already.
-[[nodiscard]] Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const std::vector<bool>& present,
+[[nodiscard]] Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const PresentArcs& present,
                                 const std::vector<LineId>& others = {});
 
 /// The problem of one sub-mesh: the given arcs are free, and all others are fixed as in `present`. Tracks may
 /// end unfinished at the first vertex outside. Time is linear in what `makeProblem` visits.
 [[nodiscard]] Problem subMeshProblem(const SearchSpace& space, SubMeshId subMesh,
-                                     const std::vector<ArcId>& freeArcs, const std::vector<bool>& present);
+                                     const std::vector<ArcId>& freeArcs, const PresentArcs& present);
 
 /// Makes a graph without a search: every particle of the sub-mesh in turn goes straight on to the first track
 /// or to the first vertex outside. The result is always valid.
-void goStraight(const SearchSpace& space, SubMeshId subMesh, std::vector<bool>& present);
+void goStraight(const SearchSpace& space, SubMeshId subMesh, PresentArcs& present);
 
 } // namespace qm

@@ -41,7 +41,7 @@ bool isValid(const Problem& problem, const Assignment& graph) {
 
 /// Whether arcs form a valid graph that is cheaper than another one. Arcs that share a variable may differ,
 /// because they were found in a problem in which they did not share it; then they are no graph.
-bool improves(const Problem& problem, const Assignment& before, const std::vector<bool>& present) {
+bool improves(const Problem& problem, const Assignment& before, const PresentArcs& present) {
     const Assignment graph = assignmentOf(problem, present);
     return costOf(problem, graph) < costOf(problem, before) - Incumbents::tolerance &&
            differences(problem, graph, present).empty() && isValid(problem, graph);
@@ -49,7 +49,7 @@ bool improves(const Problem& problem, const Assignment& before, const std::vecto
 
 class WindowSearch {
 public:
-    WindowSearch(const ProblemInput& input, const std::vector<bool>& present, const WindowOptions& options,
+    WindowSearch(const ProblemInput& input, const PresentArcs& present, const WindowOptions& options,
                  const Control& control)
         : input_(input), whole_(makeProblem(input)), options_(options), control_(control), links_(whole_),
           changed_(whole_.chains.size(), 1), searched_(whole_.chains.size(), 0), nodes_(options.nodes) {
@@ -106,7 +106,7 @@ private:
         for (const ChainId c : sums.ids()) {
             sums[c] = Tuning::slight * whole_.chains[c].count;
             forEachArc(c, [&](ArcId arc) {
-                sums[c] += std::abs(options_.relaxed[arc.idx()] - (result_.present[arc.idx()] ? 1 : 0));
+                sums[c] += std::abs(options_.relaxed[arc] - (result_.present[arc] ? 1 : 0));
             });
         }
         return sums;
@@ -173,7 +173,7 @@ private:
         std::vector<LineId> lines;
         for (const ChainId chain : window.chains) {
             forEachArc(chain, [&](ArcId arc) { arcs.push_back(arc); });
-            lines.push_back(input_.graph.arcs[arcs.back().idx()].line);
+            lines.push_back(input_.graph.arcs[arcs.back()].line);
         }
         sortUnique(lines);
         return makeProblem({input_.graph, input_.arcCosts, ArcStates(result_.present, arcs), input_.demands,
@@ -205,10 +205,10 @@ private:
     void accept(const Window& window, bool first) {
         std::unordered_set<ArcId> changes;
         for (const ArcValue& value : window.values)
-            if (result_.present[value.arc.idx()] != value.present) changes.insert(value.arc);
+            if (result_.present[value.arc] != value.present) changes.insert(value.arc);
         const auto change = [&] {
             for (const ArcId arc : changes)
-                result_.present[arc.idx()].flip();
+                result_.present[arc].flip();
         };
         if (first) {
             change();
@@ -254,7 +254,7 @@ private:
 
 } // namespace
 
-WindowResult improveByWindows(const ProblemInput& input, const std::vector<bool>& present,
+WindowResult improveByWindows(const ProblemInput& input, const PresentArcs& present,
                               const WindowOptions& options, const Control& control) {
     return WindowSearch(input, present, options, control).run();
 }

@@ -29,14 +29,14 @@ struct WindowOptions {
     /// Windows grow along tracks that touch in the graph, not along lines that cross, and their size is that
     /// of the tracks. Their searches take longer and find more.
     bool alongTracks = false;
-    bool patient = false;        ///< start again with larger search trees when no window helps any more
-    std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if unknown
+    bool patient = false;            ///< start again with larger search trees when no window helps any more
+    IdVector<ArcId, double> relaxed; ///< value of every arc in the relaxed solution; empty if unknown
     /// Called with the arcs of every cheaper graph.
-    std::function<void(const std::vector<bool>& present)> improved = [](const std::vector<bool>&) {};
+    std::function<void(const PresentArcs& present)> improved = [](const PresentArcs&) {};
 };
 
 struct WindowResult {
-    std::vector<bool> present;    ///< for every arc, whether the graph has it
+    PresentArcs present;
     std::size_t windows = 0;      ///< searched
     std::size_t improvements = 0; ///< windows that led to a cheaper graph
 };
@@ -47,7 +47,7 @@ struct WindowResult {
 /// time linear in its lines and those that cross them.
 /// \param input    the whole search; windows consist of its free arcs
 /// \param present  the arcs of a graph that is valid in `input`
-[[nodiscard]] WindowResult improveByWindows(const ProblemInput& input, const std::vector<bool>& present,
+[[nodiscard]] WindowResult improveByWindows(const ProblemInput& input, const PresentArcs& present,
                                             const WindowOptions& options, const Control& control = {});
 
 } // namespace qm

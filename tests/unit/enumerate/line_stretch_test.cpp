@@ -29,7 +29,7 @@ public:
         costs_.resize(states.size(), 0);
     }
 
-    OneLine& demand(std::vector<ArcState> demands) {
+    OneLine& demand(IdVector<ArcId, ArcState> demands) {
         demands_ = std::move(demands);
         return *this;
     }
@@ -60,10 +60,10 @@ private:
     }
 
     ArcGraph graph_;
-    std::vector<double> costs_;
-    std::vector<bool> present_;
+    IdVector<ArcId, double> costs_;
+    PresentArcs present_;
     std::vector<ArcId> free_;
-    std::vector<ArcState> demands_;
+    IdVector<ArcId, ArcState> demands_;
     Walkers walkers_;
 };
 

@@ -20,7 +20,7 @@ constexpr std::size_t maxGraphs = 3000;
 
 struct Case {
     ArcGraph graph;
-    std::vector<double> costs;
+    IdVector<ArcId, double> costs;
     Problem whole;
     std::vector<Assignment> graphs; ///< of the whole problem, cheapest first
 };
@@ -66,13 +66,13 @@ std::optional<Case> drawCase(unsigned number) {
 /// A random window in one of the graphs: some arcs are free, all others fixed; at some junctions tracks may
 /// end.
 Problem drawWindow(const Case& drawn, std::mt19937& random) {
-    std::vector<bool> present(drawn.graph.arcs.size(), false);
+    PresentArcs present(drawn.graph.arcs.size(), false);
     const Assignment& graph = drawn.graphs[random() % drawn.graphs.size()];
     apply(drawn.whole, graph, present);
     std::vector<ArcId> freeArcs;
-    for (std::size_t arc = 0; arc < present.size(); ++arc)
-        if (random() % 2 == 0) freeArcs.emplace_back(arc);
-    std::vector<SubMeshId> labels;
+    for (const ArcId arc : present.ids())
+        if (random() % 2 == 0) freeArcs.push_back(arc);
+    IdVector<JunctionId, SubMeshId> labels;
     for (std::size_t junction = 0; junction < drawn.graph.junctions.size(); ++junction)
         labels.emplace_back(random() % 5 == 0 ? 1 : 0);
     Problem problem = makeProblem({drawn.graph,

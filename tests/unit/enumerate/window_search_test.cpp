@@ -25,7 +25,7 @@ struct Sample {
     BaseComplex complex;
     std::vector<double> costs;
     SearchSpace space;
-    std::vector<bool> plain;
+    PresentArcs plain;
 
     explicit Sample(unsigned seed)
         : mesh(makeShape("random", {1, 0, seed, 80})), complex(buildBaseComplex(mesh)),

@@ -48,7 +48,7 @@ struct PlainCase {
     BaseComplex complex;
     std::vector<double> costs;
     SearchSpace space;
-    std::vector<bool> present;
+    PresentArcs present;
 };
 
 TEST(MoveCuts, MakesGraphsCheaperAndLeavesThemValid) {

@@ -40,7 +40,7 @@ std::size_t countAsLayoutsDo(const Pruning& pruning) {
     std::mt19937 random(2);
     std::size_t allowed = 0;
     for (int tried = 0; tried < 2000; ++tried) {
-        std::vector<bool> present(pruning.graph.arcs.size());
+        PresentArcs present(pruning.graph.arcs.size());
         for (auto&& arc : present)
             arc = random() % 100 < static_cast<unsigned>(tried) % 101;
         const ColumnValues values = pruning.grids.valuesOf(present);
@@ -91,7 +91,7 @@ TEST(GridProgram, GivesComponentsWithoutSourcesALine) {
 TEST(GridProgram, CompletesWhatASolverLeavesOpen) {
     const check::CheckedMesh ring = torus(4, 5);
     const Pruning pruning(ring, seedsOf(ring, 3, 1));
-    const ColumnValues values = pruning.grids.valuesOf(std::vector<bool>(pruning.graph.arcs.size(), true));
+    const ColumnValues values = pruning.grids.valuesOf(PresentArcs(pruning.graph.arcs.size(), true));
     ColumnValues solved = values;
     for (std::size_t column = pruning.graph.arcs.size(); column < solved.size(); ++column)
         solved[ColumnId(column)] = 0.5;
@@ -103,9 +103,9 @@ TEST(GridProgram, GroupsColumnsByLines) {
     const auto lines = columnsOfLines(pruning.graph);
     ASSERT_EQ(lines.size(), pruning.graph.lines.size());
     for (std::size_t line = 0; line < lines.size(); ++line) {
-        EXPECT_EQ(lines[line].size(), at(pruning.graph.lines[line].arcCount));
+        EXPECT_EQ(lines[line].size(), at(pruning.graph.lines[LineId(line)].arcCount));
         for (const ColumnId column : lines[line])
-            EXPECT_EQ(pruning.graph.arcs[column.idx()].line, LineId(line));
+            EXPECT_EQ(pruning.graph.arcs[ArcId(column.value())].line, LineId(line));
     }
 }
 
