@@ -29,7 +29,6 @@ int main(int argc, char** argv) {
             return [&, stage] {
                 if (requests.join) return qm::joinParts(tool, requests);
                 const qm::Model& model = stage->read();
-                options.constraints = model.constraints;
                 const qm::Enumeration enumeration = qm::searchGraphs(tool, model, options, requests);
                 const int status = qm::judge(tool, enumeration, requests);
                 const qm::SeparatrixIndex separatrices(model.mesh, model.baseComplex);

@@ -18,9 +18,9 @@ int main(int argc, char** argv) {
             return [&tool, &options, stage] {
                 const qm::Model& model = stage->read();
                 const double chi = model.cut ? model.cut->options.chi : qm::CutOptions{}.chi;
-                const qm::MergeResult merged = qm::mergeGraphs(
-                    model.mesh, model.complex, model.dihedralAngles, model.subMeshes, *model.enumeration,
-                    model.constraints, chi, options, tool.control("merging"), tool.sayingKnown());
+                const qm::MergeResult merged =
+                    qm::mergeGraphs(model.searched(), *model.enumeration, chi, options,
+                                    tool.control("merging"), tool.sayingKnown());
                 qm::Layout layout =
                     qm::buildLayout(model.mesh, merged.graph.tracks, model.dihedralAngles, model.edgeCosts);
                 // Every layout also has the lines that components without sources get.

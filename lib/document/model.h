@@ -7,7 +7,6 @@
 #include "document/kind.h"
 #include "enumerate/enumerate.h"
 #include "features/features.h"
-#include "layout/constraints.h"
 #include "layout/cost.h"
 #include "layout/layout.h"
 
@@ -38,6 +37,10 @@ struct Model {
 
     /// One sentence for everything that was measured or made anew because the document had been edited.
     std::vector<std::string> notes;
+
+    [[nodiscard]] SearchedMesh searched() const {
+        return {mesh, complex, dihedralAngles, subMeshes, constraints};
+    }
 };
 
 /// Reads the mesh and all sections needed to work on a kind: up to the cut, every section; for `enumeration`

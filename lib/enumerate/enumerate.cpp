@@ -45,15 +45,15 @@ std::optional<std::string> countOfAll(const Enumeration& enumeration) {
 }
 
 /// Traces the plain motorcycle graph, which is one process on the whole mesh.
-Enumeration enumeratePlain(const QuadMesh& mesh, const BaseComplex& complex,
-                           const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
+Enumeration enumeratePlain(const SearchedMesh& searched, const std::vector<double>& edgeCosts,
                            const EnumerationOptions& options) {
-    if (subMeshes.count != 1)
+    if (searched.subMeshes.count != 1)
         throw Error("/cut", "the plain motorcycle graph is traced on the whole mesh", "Leave qm-cut out");
-    MotorcycleGraph graph = plainMotorcycleGraph(mesh, complex, edgeCosts);
+    MotorcycleGraph graph = plainMotorcycleGraph(searched.mesh, searched.complex, edgeCosts);
     if (options.cost.terms.segments != 0)
         graph.cost += cornerCost(options.cost.terms) *
-                      static_cast<double>(Corners(mesh, subMeshes).between(graph.tracks, SubMeshId(0)));
+                      static_cast<double>(
+                          Corners(searched.mesh, searched.subMeshes).between(graph.tracks, SubMeshId(0)));
     Enumeration result;
     result.subMeshes.push_back({graph.cost, std::nullopt, std::nullopt, {graph}, {}});
     return result;
@@ -73,16 +73,17 @@ void verifyAsked(const SubMeshes& subMeshes, const EnumerationOptions& options) 
 
 } // namespace
 
-Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
-                            const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
-                            const EnumerationOptions& options, const Control& control) {
+Enumeration enumerateGraphs(const SearchedMesh& searched, const EnumerationOptions& options,
+                            const Control& control) {
+    const SubMeshes& subMeshes = searched.subMeshes;
     verifyAsked(subMeshes, options);
-    const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, options.cost, options.constraints);
+    const std::vector<double> costs =
+        edgeCosts(searched.mesh, searched.dihedralAngles, options.cost, searched.constraints);
     Enumeration result;
     if (options.method == Method::plain) {
-        result = enumeratePlain(mesh, complex, costs, subMeshes, options);
+        result = enumeratePlain(searched, costs, options);
     } else {
-        const SubMeshSearch search(mesh, complex, costs, subMeshes, options);
+        const SubMeshSearch search(searched, costs, options);
         std::vector<SubMeshId> asked;
         for (const SubMeshId subMesh : subMeshes.ids())
             if (options.part.holds(subMesh)) asked.push_back(subMesh);
@@ -104,12 +105,13 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     return result;
 }
 
-bool listGraphs(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
-                const SubMeshes& subMeshes, const EnumerationOptions& options, ListedGraphs which,
+bool listGraphs(const SearchedMesh& searched, const EnumerationOptions& options, ListedGraphs which,
                 const GraphListing& listing, const Control& control) {
+    const SubMeshes& subMeshes = searched.subMeshes;
     verifyAsked(subMeshes, options);
-    const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, options.cost, options.constraints);
-    const SubMeshSearch search(mesh, complex, costs, subMeshes, options);
+    const std::vector<double> costs =
+        edgeCosts(searched.mesh, searched.dihedralAngles, options.cost, searched.constraints);
+    const SubMeshSearch search(searched, costs, options);
     const Deadline deadline(control, options.timeLimit);
     const Control limited = deadline.control();
     for (const SubMeshId subMesh : subMeshes.ids()) {

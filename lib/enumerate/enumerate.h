@@ -3,10 +3,8 @@
 
 #include "base/control.h"
 #include "base/infinity.h"
-#include "basecomplex/base_complex.h"
 #include "enumerate/enumeration.h"
-#include "enumerate/sub_mesh/search_space.h"
-#include "layout/constraints.h"
+#include "enumerate/searched_mesh.h"
 
 #include <functional>
 #include <string>
@@ -26,17 +24,13 @@ struct EnumerationOptions {
     double timeLimit = infinity; ///< seconds, for all sub-meshes together
     double gap = 0;              ///< stop the search of a sub-mesh when cost less lower bound is at most this
     Part part;                   ///< the sub-meshes to search
-    Constraints constraints;
 };
 
 /// Finds the best graphs of every sub-mesh by itself: only particles that start inside it move, each as far
 /// as the first vertex outside. Works on `control.jobs` threads; the result does not depend on their number.
-/// \param complex  base complex with the feature seeds
 /// \throw Error  if a sub-mesh has no graph under the constraints, or if class tmesh or the plain graph is
 /// asked for on a cut mesh, because neither has free particles
-[[nodiscard]] Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
-                                          const std::vector<double>& dihedralAngles,
-                                          const SubMeshes& subMeshes, const EnumerationOptions& options,
+[[nodiscard]] Enumeration enumerateGraphs(const SearchedMesh& searched, const EnumerationOptions& options,
                                           const Control& control = {});
 
 /// The consumers of a list of graphs.
@@ -56,8 +50,7 @@ enum class ListedGraphs {
 /// Lists graphs, sub-mesh by sub-mesh, in bounded memory. Works on `control.jobs` threads; the list does not
 /// depend on their number.
 /// \return false if the listing was ended early
-bool listGraphs(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
-                const SubMeshes& subMeshes, const EnumerationOptions& options, ListedGraphs which,
+bool listGraphs(const SearchedMesh& searched, const EnumerationOptions& options, ListedGraphs which,
                 const GraphListing& listing, const Control& control = {});
 
 } // namespace qm

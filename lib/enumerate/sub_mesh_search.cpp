@@ -19,6 +19,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <tuple>
 
 namespace qm {
 namespace {
@@ -45,16 +46,15 @@ CoordinateMethod coordinateMethod(Method method) {
 
 } // namespace
 
-SubMeshSearch::SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex,
-                             const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
+SubMeshSearch::SubMeshSearch(const SearchedMesh& searched, const std::vector<double>& edgeCosts,
                              const EnumerationOptions& options)
-    : mesh_(mesh), complex_(complex), edgeCosts_(edgeCosts), options_(options),
-      space_(makeSearchSpace(mesh, complex, edgeCosts, subMeshes, options.constraints,
-                             cornerCost(options.cost.terms))) {
-    fixedCosts_.assign(at(subMeshes.count), 0);
+    : searched_(searched), edgeCosts_(edgeCosts), options_(options),
+      space_(makeSearchSpace(searched.mesh, searched.complex, edgeCosts, searched.subMeshes,
+                             searched.constraints, cornerCost(options.cost.terms))) {
+    fixedCosts_.assign(at(searched.subMeshes.count), 0);
     if (space_.cornerCost == 0) return;
-    const Corners corners(mesh, subMeshes);
-    for (const SubMeshId subMesh : subMeshes.ids())
+    const Corners corners(searched.mesh, searched.subMeshes);
+    for (const SubMeshId subMesh : searched.subMeshes.ids())
         fixedCosts_[subMesh] = space_.cornerCost * static_cast<double>(corners.fixed(subMesh));
 }
 
@@ -76,9 +76,10 @@ MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignm
     const ArcGraph& arcs = task.space->graph;
     PresentArcs present(arcs.arcs.size(), false);
     apply(task.problem, assignment, present);
+    const auto& [mesh, complex] = std::tie(searched_.mesh, searched_.complex);
     MotorcycleGraph result = task.problem.gaps
-                                 ? graphOf(mesh_, complex_, arcs, present, edgeCosts_, task.walkers)
-                                 : tMeshOf(mesh_, complex_, arcs, present, edgeCosts_);
+                                 ? graphOf(mesh, complex, arcs, present, edgeCosts_, task.walkers)
+                                 : tMeshOf(mesh, complex, arcs, present, edgeCosts_);
     if (space_.cornerCost != 0) result.cost = costOf(task.problem, assignment) + fixedCosts_[task.subMesh];
     return result;
 }

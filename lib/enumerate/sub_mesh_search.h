@@ -15,8 +15,8 @@ namespace qm {
 class SubMeshSearch {
 public:
     /// All arguments must outlive this.
-    SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& edgeCosts,
-                  const SubMeshes& subMeshes, const EnumerationOptions& options);
+    SubMeshSearch(const SearchedMesh& searched, const std::vector<double>& edgeCosts,
+                  const EnumerationOptions& options);
 
     /// Finds what the options ask for. Sets `complete` to false if a limit ended the search early.
     [[nodiscard]] SubMeshGraphs search(SubMeshId subMesh, const Control& control,
@@ -49,8 +49,7 @@ private:
     bool findRanked(const Task& task, const std::function<bool(const Assignment&)>& visit,
                     const Control& control) const;
 
-    const QuadMesh& mesh_;
-    const BaseComplex& complex_;
+    const SearchedMesh& searched_;
     const std::vector<double>& edgeCosts_;
     const EnumerationOptions& options_;
     SearchSpace space_;

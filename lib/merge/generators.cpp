@@ -30,11 +30,11 @@ struct SubMeshChanges {
 
 class Generator {
 public:
-    Generator(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
-              const Enumeration& enumeration, const SubMeshes& subMeshes, const GeneratorLimits& limits,
-              const Control& control)
-        : mesh_(mesh), space_(space), enumeration_(enumeration), subMeshes_(subMeshes), limits_(limits),
-          control_(control), arcOfEdge_(arcsOfEdges(mesh, space.graph, complex)),
+    Generator(const SearchedMesh& searched, const SearchSpace& space, const Enumeration& enumeration,
+              const GeneratorLimits& limits, const Control& control)
+        : mesh_(searched.mesh), subMeshes_(searched.subMeshes), space_(space), enumeration_(enumeration),
+          limits_(limits), control_(control),
+          arcOfEdge_(arcsOfEdges(searched.mesh, space.graph, searched.complex)),
           present_(space.graph.arcs.size(), false), free_(space, present_) {}
 
     /// PMG: sub-meshes that no arc joins are searched at the same time, all others one after the other.
@@ -191,9 +191,9 @@ private:
     }
 
     const QuadMesh& mesh_;
+    const SubMeshes& subMeshes_;
     const SearchSpace& space_;
     const Enumeration& enumeration_;
-    const SubMeshes& subMeshes_;
     const GeneratorLimits& limits_;
     const Control& control_;
     const std::vector<ArcId> arcOfEdge_;
@@ -206,10 +206,10 @@ private:
 
 } // namespace
 
-GeneratedGraph generateGraph(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
-                             const Enumeration& enumeration, const SubMeshes& subMeshes,
-                             const GeneratorLimits& limits, const Control& control) {
-    Generator generator(mesh, complex, space, enumeration, subMeshes, limits, control);
+GeneratedGraph generateGraph(const SearchedMesh& searched, const SearchSpace& space,
+                             const Enumeration& enumeration, const GeneratorLimits& limits,
+                             const Control& control) {
+    Generator generator(searched, space, enumeration, limits, control);
     generator.partial();
     generator.complete();
     return generator.take();

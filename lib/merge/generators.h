@@ -28,9 +28,8 @@ struct GeneratedGraph {
 /// Runs PMG, then CMG, and extends the remaining free particles straight on. The result does not depend on
 /// `control.jobs`, and may break constraints.
 /// \throw Error  if it is proven that no graph of some sub-mesh obeys the constraints
-[[nodiscard]] GeneratedGraph generateGraph(const QuadMesh& mesh, const BaseComplex& complex,
-                                           const SearchSpace& space, const Enumeration& enumeration,
-                                           const SubMeshes& subMeshes, const GeneratorLimits& limits,
+[[nodiscard]] GeneratedGraph generateGraph(const SearchedMesh& searched, const SearchSpace& space,
+                                           const Enumeration& enumeration, const GeneratorLimits& limits,
                                            const Control& control);
 
 } // namespace qm

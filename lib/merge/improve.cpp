@@ -2,7 +2,6 @@
 
 #include "base/deadline.h"
 #include "base/parallel.h"
-#include "layout/tracks.h"
 #include "merge/graph_improver.h"
 #include "merge/known_so_far.h"
 
@@ -43,12 +42,8 @@ double boundGain(const std::vector<OpenPart>& parts, const Deadline& end, const 
 
 } // namespace
 
-Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
-                         const std::vector<double>& edgeCosts, double cornerCost,
-                         const Constraints& constraints, const MotorcycleGraph& graph, double seconds,
+Improvement improveGraph(const SearchSpace& space, PresentArcs present, double seconds,
                          const Control& control, const KnownCost& tell) {
-    const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, {}, constraints, cornerCost);
-    PresentArcs present = presentArcs(mesh, complex, space.graph, graph.tracks);
     KnownSoFar known(control, tell, costOf(space, present));
     const Control telling = known.control();
     Improvement result;
@@ -82,11 +77,11 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
             }};
         parallelFor(work.size(), together ? 2 : 1, [&](std::size_t k) { work[k](); });
     }
-    result.graph = graphOf(mesh, complex, space.graph, improver.present(), edgeCosts);
+    result.present = improver.present();
     result.windows = improver.windows();
     result.improvements = improver.improvements();
     control.progress(1);
-    result.lowerBound = boundBelow(result.lowerBound, costOf(space, improver.present()));
+    result.lowerBound = boundBelow(result.lowerBound, costOf(space, result.present));
     return result;
 }
 

@@ -2,16 +2,14 @@
 #pragma once
 
 #include "base/control.h"
-#include "layout/constraints.h"
-#include "layout/tracks.h"
+#include "enumerate/sub_mesh/search_space.h"
 
 #include <cstddef>
-#include <vector>
 
 namespace qm {
 
 struct Improvement {
-    MotorcycleGraph graph;
+    PresentArcs present;          ///< the arcs of the graph
     double lowerBound = 0;        ///< of all graphs' costs with those of corners; the graph's own if proven
     std::size_t windows = 0;      ///< searched
     std::size_t improvements = 0; ///< windows that made the graph cheaper
@@ -20,16 +18,13 @@ struct Improvement {
 /// For a share of the time, searches the whole mesh, and windows at the same time; this often ends with a
 /// proof. Without one, goes on with windows of all sizes and with the decomposition bound. The graph is valid
 /// at every step and its cost never rises.
-/// \param graph       a motorcycle graph of the whole mesh that is valid and obeys the constraints
-/// \param cornerCost  of every corner of a segment
-/// \param seconds     in total; without a limit, the result is proven
-/// \param control     if it asks to stop, the best result so far is returned
-/// \param tell        called with the known cost and bound
-[[nodiscard]] Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
-                                       const std::vector<double>& edgeCosts, double cornerCost,
-                                       const Constraints& constraints, const MotorcycleGraph& graph,
-                                       double seconds, const Control& control = {},
-                                       const KnownCost& tell = {});
+/// \param space    of a mesh that is not cut
+/// \param present  the arcs of a valid graph of the whole mesh that obeys the constraints
+/// \param seconds  in total; without a limit, the result is proven
+/// \param control  if it asks to stop, the best result so far is returned
+/// \param tell     called with the known cost and bound
+[[nodiscard]] Improvement improveGraph(const SearchSpace& space, PresentArcs present, double seconds,
+                                       const Control& control = {}, const KnownCost& tell = {});
 
 /// A lower bound without the rounding errors that may lift it above the cost.
 /// \throw std::logic_error  if the bound is clearly above the cost, which is a fault of its computation

@@ -11,6 +11,7 @@
 #include "merge/search_whole.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace qm {
@@ -37,9 +38,9 @@ MergeResult wholeGraph(const Enumeration& enumeration) {
 /// Replaces a graph by the plain one if that is cheaper, as it may be because each sub-mesh was searched
 /// without regard to the others.
 /// \return whether it was
-bool takePlainIfCheaper(const QuadMesh& mesh, const BaseComplex& complex,
-                        const std::vector<double>& edgeCosts, const SearchSpace& space,
-                        PresentArcs& present) {
+bool takePlainIfCheaper(const SearchedMesh& searched, const std::vector<double>& edgeCosts,
+                        const SearchSpace& space, PresentArcs& present) {
+    const auto& [mesh, complex] = std::tie(searched.mesh, searched.complex);
     PresentArcs plain =
         presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, edgeCosts).tracks);
     if (!obeys(space, plain) || costOf(space, plain) >= costOf(space, present)) return false;
@@ -71,24 +72,22 @@ bool isProven(const MergeResult& result) {
 
 } // namespace
 
-MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
-                        const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
-                        const Enumeration& enumeration, const Constraints& constraints,
-                        double complexityLimit, const MergeOptions& options, const Control& control,
-                        const KnownCost& tell) {
+MergeResult mergeGraphs(const SearchedMesh& searched, const Enumeration& enumeration, double complexityLimit,
+                        const MergeOptions& options, const Control& control, const KnownCost& tell) {
     if (enumeration.graphClass == GraphClass::tmesh) return wholeGraph(enumeration);
     const Deadline end(control, options.timeLimit);
     Control limited = end.control();
     limited.progress = control.progress;
+    const auto& [mesh, complex, dihedralAngles, subMeshes, constraints] = searched;
     const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, enumeration.cost, constraints);
-    const SearchSpace space =
-        makeSearchSpace(mesh, complex, costs, subMeshes, constraints, cornerCost(enumeration.cost.terms));
+    const double corner = cornerCost(enumeration.cost.terms);
+    const SearchSpace space = makeSearchSpace(mesh, complex, costs, subMeshes, constraints, corner);
     // What ends early is extended without regard to the constraints.
     const bool mayEnd = constraints.required.empty() && constraints.forbidden.empty();
-    auto [present, result] = generateGraph(mesh, complex, space, enumeration, subMeshes,
+    auto [present, result] = generateGraph(searched, space, enumeration,
                                            {.complexity = complexityLimit, .rounds = options.maxRounds},
                                            mayEnd ? limited : control);
-    if (subMeshes.count > 1) result.plain = takePlainIfCheaper(mesh, complex, costs, space, present);
+    if (subMeshes.count > 1) result.plain = takePlainIfCheaper(searched, costs, space, present);
     // Free particles are extended straight on without regard to the constraints.
     if (!obeys(space, present))
         throw Error(
@@ -105,10 +104,11 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     if (result.lowerBound) result.lowerBound = boundBelow(*result.lowerBound, result.graph.cost);
     if (subMeshes.count == 1 && bounds) result.lowerBound = enumeration.subMeshes.front().lowerBound;
     if (options.improve > 0 && !isProven(result)) {
-        Improvement better =
-            improveGraph(mesh, complex, costs, cornerCost(enumeration.cost.terms), constraints, result.graph,
+        const SearchSpace whole = makeSearchSpace(mesh, complex, costs, {}, constraints, corner);
+        const Improvement better =
+            improveGraph(whole, presentArcs(mesh, complex, whole.graph, result.graph.tracks),
                          std::min(options.improve, end.secondsLeft()), control, tell);
-        result.graph = std::move(better.graph);
+        result.graph = graphOf(mesh, complex, whole.graph, better.present, costs);
         if (bounds)
             result.lowerBound =
                 boundBelow(std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound)),

@@ -35,10 +35,8 @@ struct MergeResult {
 /// there is time for it. The result is always a valid motorcycle graph of the whole mesh.
 /// \param enumeration      the first graph of every sub-mesh is the starting point; its cost options apply
 /// \param tell             called with the known cost and bound during the improvement
-/// \param complexityLimit  chi: fewer particles are taken if a closed set of linked ones is this complex
-[[nodiscard]] MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
-                                      const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
-                                      const Enumeration& enumeration, const Constraints& constraints,
+/// \param complexityLimit  chi of the cut
+[[nodiscard]] MergeResult mergeGraphs(const SearchedMesh& searched, const Enumeration& enumeration,
                                       double complexityLimit, const MergeOptions& options,
                                       const Control& control = {}, const KnownCost& tell = {});
 

@@ -63,7 +63,7 @@ void enumerateBy(Method method, benchmark::State& state) {
     EnumerationOptions options;
     options.method = method;
     measure(state, [&](const Model& model) {
-        return enumerateGraphs(model.mesh, model.complex, model.angles, {}, options);
+        return enumerateGraphs({model.mesh, model.complex, model.angles, {}, {}}, options);
     });
 }
 
@@ -79,7 +79,7 @@ void layout(benchmark::State& state) {
     const Model model = bench::model(state);
     EnumerationOptions options;
     options.method = Method::plain;
-    const Enumeration plain = enumerateGraphs(model.mesh, model.complex, model.angles, {}, options);
+    const Enumeration plain = enumerateGraphs({model.mesh, model.complex, model.angles, {}, {}}, options);
     const std::vector<Track>& tracks = plain.subMeshes.front().graphs.at(0).tracks;
     const std::vector<double> costs = edgeCosts(model.angles, {});
     for ([[maybe_unused]] auto _ : state)

@@ -132,13 +132,9 @@ void edit(Json& root, Choices& choices) {
 /// Runs the next stages on a document.
 void workOn(const qm::Document& document, const qm::Model& model) {
     qm::EnumerationOptions options;
-    options.constraints = model.constraints;
     const qm::Enumeration enumeration =
-        model.enumeration
-            ? *model.enumeration
-            : qm::enumerateGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, options);
-    (void)qm::mergeGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, enumeration,
-                          model.constraints, 20, {});
+        model.enumeration ? *model.enumeration : qm::enumerateGraphs(model.searched(), options);
+    (void)qm::mergeGraphs(model.searched(), enumeration, 20, {});
     if (model.layout)
         (void)qm::prune(model.mesh, model.complex, *model.layout, model.dihedralAngles, model.edgeCosts, {},
                         qm::sharpAngle(document.root));

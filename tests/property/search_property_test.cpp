@@ -320,19 +320,18 @@ TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
         SubMeshes parts{std::vector<SubMeshId>(drawn->mesh.n_vertices()), 1 + static_cast<int>(random() % 3)};
         for (SubMeshId& label : parts.labels)
             label = SubMeshId(random() % at(parts.count));
+        const SearchedMesh searched{drawn->mesh, drawn->complex, drawn->angles, parts, {}};
         EnumerationOptions options;
         options.cost = {{0.9, 0.7}};
-        const Enumeration found = enumerateGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, options);
+        const Enumeration found = enumerateGraphs(searched, options);
         const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex, drawn->costs, parts, {});
         for (const std::size_t work : {std::size_t(0), GeneratorLimits().work}) {
-            const GeneratedGraph generated =
-                generateGraph(drawn->mesh, drawn->complex, space, found, parts,
-                              {.complexity = 40, .rounds = MergeOptions().maxRounds, .work = work}, {});
+            const GeneratorLimits limits{.complexity = 40, .rounds = MergeOptions().maxRounds, .work = work};
+            const GeneratedGraph generated = generateGraph(searched, space, found, limits, {});
             EXPECT_TRUE(isMotorcycleGraph(space.graph, generated.present))
                 << "case " << number << " work " << work;
         }
-        const MergeResult merged =
-            mergeGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, found, {}, 40, {});
+        const MergeResult merged = mergeGraphs(searched, found, 40, {});
         const auto present = presentArcs(drawn->mesh, drawn->complex, drawn->graph, merged.graph.tracks);
         EXPECT_TRUE(isMotorcycleGraph(drawn->graph, present)) << "case " << number;
         EXPECT_NO_THROW((void)buildLayout(drawn->mesh, merged.graph.tracks, drawn->angles, drawn->costs))
@@ -433,15 +432,16 @@ TEST(SearchProperty, ImprovedGraphsAreProvenAndNeverDearer) {
         if (!drawn || drawn->graph.arcs.empty()) continue;
         const MotorcycleGraph plain = plainMotorcycleGraph(drawn->mesh, drawn->complex, drawn->costs);
         const double minCost = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
-        const Improvement better = improveGraph(drawn->mesh, drawn->complex, drawn->costs, 0, {}, plain, 1e9);
-        const auto present = presentArcs(drawn->mesh, drawn->complex, drawn->graph, better.graph.tracks);
-        EXPECT_TRUE(isMotorcycleGraph(drawn->graph, present)) << "case " << number;
-        EXPECT_NEAR(better.graph.cost, minCost, 1e-6) << "case " << number;
+        const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex, drawn->costs, {}, {});
+        const PresentArcs before = presentArcs(drawn->mesh, drawn->complex, space.graph, plain.tracks);
+        const Improvement better = improveGraph(space, before, 1e9);
+        EXPECT_TRUE(isMotorcycleGraph(space.graph, better.present)) << "case " << number;
+        const double cost = costOf(space, better.present);
+        EXPECT_NEAR(cost, minCost, 1e-6) << "case " << number;
         EXPECT_NEAR(better.lowerBound, minCost, 1e-6) << "case " << number;
-        if (better.graph.cost < plain.cost - 1e-6) ++cheaper;
-        const Improvement hurried =
-            improveGraph(drawn->mesh, drawn->complex, drawn->costs, 0, {}, plain, 1e-9);
-        EXPECT_LE(hurried.graph.cost, plain.cost + 1e-9);
+        if (cost < plain.cost - 1e-6) ++cheaper;
+        const Improvement hurried = improveGraph(space, before, 1e-9);
+        EXPECT_LE(costOf(space, hurried.present), plain.cost + 1e-9);
         EXPECT_LE(hurried.lowerBound, minCost + 1e-6);
     }
     EXPECT_GT(cheaper, 10U);
@@ -454,14 +454,13 @@ TEST(SearchProperty, ThreadsChangeNothing) {
     SubMeshes parts{std::vector<SubMeshId>(drawn->mesh.n_vertices()), 3};
     for (std::size_t v = 0; v < parts.labels.size(); ++v)
         parts.labels[v] = SubMeshId(v % 3);
+    const SearchedMesh searched{drawn->mesh, drawn->complex, drawn->angles, parts, {}};
     std::vector<std::vector<HalfedgeId>> first;
     for (const unsigned jobs : {1U, 2U, 5U}) {
         Control control;
         control.jobs = jobs;
-        const Enumeration found =
-            enumerateGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, {}, control);
-        const MergeResult merged =
-            mergeGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, found, {}, 40, {}, control);
+        const Enumeration found = enumerateGraphs(searched, {}, control);
+        const MergeResult merged = mergeGraphs(searched, found, 40, {}, control);
         std::vector<std::vector<HalfedgeId>> tracks;
         for (const Track& track : merged.graph.tracks)
             tracks.push_back(track.halfedges);

@@ -115,7 +115,7 @@ TEST(SubMeshProperty, GraphsCostWhatTheirTracksAndCornersDo) {
         options.cost.terms = {1, 0, 2, 0};
         options.best = 3;
         const Enumeration found =
-            enumerateGraphs(drawn.mesh, drawn.complex, drawn.edgeCosts, drawn.parts, options);
+            enumerateGraphs({drawn.mesh, drawn.complex, drawn.edgeCosts, drawn.parts, {}}, options);
         const Corners corners(drawn.mesh, drawn.parts);
         for (const SubMeshId subMesh : drawn.parts.ids())
             for (const MotorcycleGraph& graph : found.subMeshes[subMesh].graphs) {

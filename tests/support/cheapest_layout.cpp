@@ -10,7 +10,7 @@ namespace qm::test {
 
 Layout cheapestLayout(const QuadMesh& mesh) {
     const std::vector<double> angles = dihedralAngles(mesh);
-    const Enumeration found = enumerateGraphs(mesh, buildBaseComplex(mesh), angles, {}, {});
+    const Enumeration found = enumerateGraphs({mesh, buildBaseComplex(mesh), angles, {}, {}}, {});
     return buildLayout(mesh, found.subMeshes.front().graphs.at(0).tracks, angles, edgeCosts(angles, {}));
 }
 

@@ -67,16 +67,16 @@ Document makeDocument(Kind kind, const QuadMesh& mesh) {
     if (kind == Kind::cut) return document;
 
     const SubMeshes subMeshes = subMeshesOf(cut);
+    const SearchedMesh searched{mesh, complex, angles, subMeshes, {}};
     EnumerationOptions options;
     options.best = 2;
-    const Enumeration enumeration = enumerateGraphs(mesh, complex, angles, subMeshes, options);
+    const Enumeration enumeration = enumerateGraphs(searched, options);
     put(document, Kind::enumeration, "qm-enum", optionsToJson(options),
         enumerationToJson(mesh, SeparatrixIndex(mesh, baseComplex), enumeration));
     if (kind == Kind::enumeration) return document;
 
     const std::vector<double> costs = edgeCosts(angles, enumeration.cost);
-    const MergeResult merged =
-        mergeGraphs(mesh, complex, angles, subMeshes, enumeration, {}, cut.options.chi, MergeOptions{});
+    const MergeResult merged = mergeGraphs(searched, enumeration, cut.options.chi, MergeOptions{});
     const Layout layout = buildLayout(mesh, merged.graph.tracks, angles, costs);
     Json section = layoutToJson(mesh, layout, angles, sharpAngle(document.root));
     section["merge"] = mergeFigures(merged);

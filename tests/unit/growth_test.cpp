@@ -75,9 +75,10 @@ std::map<std::string, double> bytesOfStages(int voxels) {
     const SubMeshes parts{cut.labels, static_cast<int>(cut.subMeshes.size())};
     Control control;
     control.jobs = 1;
-    const Enumeration found = enumerateGraphs(mesh, complex, angles, parts, {}, control);
+    const Enumeration found = enumerateGraphs({mesh, complex, angles, parts, {}}, {}, control);
     done("enumeration");
-    const MergeResult merged = mergeGraphs(mesh, complex, angles, parts, found, {}, cutting.chi, {}, control);
+    const MergeResult merged =
+        mergeGraphs({mesh, complex, angles, parts, {}}, found, cutting.chi, {}, control);
     done("merge");
     const std::vector<double> costs = edgeCosts(angles, {});
     const Layout layout = buildLayout(mesh, merged.graph.tracks, angles, costs);

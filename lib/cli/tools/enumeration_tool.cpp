@@ -69,9 +69,8 @@ void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions&
                                    written += graphs;
                                    return true;
                                }};
-    const bool all =
-        listGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, options, which, listing,
-                   tool.control(areBest ? "writing the best graphs" : "writing every graph"));
+    const bool all = listGraphs(model.searched(), options, which, listing,
+                                tool.control(areBest ? "writing the best graphs" : "writing every graph"));
     file.commit();
     tool.count(areBest ? "bestGraphsWritten" : "graphsWritten", written);
     if (!all) tool.warnOfInput("the search was ended early; not every graph was written to " + path);
@@ -140,8 +139,7 @@ Enumeration searchGraphs(const Tool& tool, const Model& model, const Enumeration
     };
     EnumerationOptions ofDocument = options;
     if (!requests.bestGraphs.empty()) ofDocument.best = 1;
-    Enumeration found = enumerateGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes,
-                                        withShareOfTime(ofDocument), control);
+    Enumeration found = enumerateGraphs(model.searched(), withShareOfTime(ofDocument), control);
     if (!requests.allGraphs.empty())
         writeGraphs(tool, model, withShareOfTime(options), requests.allGraphs, ListedGraphs::every);
     if (!requests.bestGraphs.empty())

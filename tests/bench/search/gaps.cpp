@@ -17,8 +17,9 @@ void printGap(const std::string& name, const QuadMesh& mesh, GraphClass graphCla
     options.graphClass = graphClass;
     options.timeLimit = seconds;
     Enumeration found;
-    const double taken =
-        secondsOf([&] { found = enumerateGraphs(mesh, complex, dihedralAngles(mesh), {}, options); });
+    const double taken = secondsOf([&] {
+        found = enumerateGraphs({mesh, complex, dihedralAngles(mesh), {}, {}}, options);
+    });
     const SubMeshGraphs& whole = found.subMeshes.front();
     const double best = whole.cost.value_or(NAN), bound = whole.lowerBound.value_or(NAN);
     std::printf("%-24s %-10s %6zu %14.6f %14.6f %9.4f %9.2f\n", name.c_str(),

@@ -48,7 +48,7 @@ Written writeAll(const QuadMesh& mesh, unsigned jobs) {
                                }};
     Control control;
     control.jobs = jobs;
-    listGraphs(mesh, complex, dihedralAngles(mesh), {}, {}, ListedGraphs::every, listing, control);
+    listGraphs({mesh, complex, dihedralAngles(mesh), {}, {}}, {}, ListedGraphs::every, listing, control);
     return written;
 }
 

@@ -23,7 +23,7 @@ protected:
             listing.append = [this](SubMeshId subMesh, const MotorcycleGraph& graph, std::string& text) {
                 appendGraphLine(mesh, separatrices, subMesh, graph, text);
             };
-        return listGraphs(mesh, complex, angles, {}, options, which, listing, control);
+        return listGraphs({mesh, complex, angles, {}, {}}, options, which, listing, control);
     }
 
     std::string listed(unsigned jobs, ListedGraphs which) {
@@ -57,7 +57,7 @@ TEST_F(ListGraphs, TheOrderDoesNotDependOnThreads) {
 
 TEST_F(ListGraphs, LinesAreThoseOfDocuments) {
     options.best = 3;
-    const Enumeration found = enumerateGraphs(mesh, complex, angles, {}, options);
+    const Enumeration found = enumerateGraphs({mesh, complex, angles, {}, {}}, options);
     const BaseComplex none; // with it, every track would seem to begin at a source of its own
     for (const SeparatrixIndex& index : {separatrices, SeparatrixIndex(mesh, none)})
         for (const MotorcycleGraph& graph : found.subMeshes.front().graphs) {
