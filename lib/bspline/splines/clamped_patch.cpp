@@ -4,6 +4,7 @@
 #include "layout/sides.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -17,44 +18,45 @@ std::vector<double> clampedKnots(const std::vector<double>& knots, int degree) {
     return result;
 }
 
-} // namespace
-
-Patch clamped(const Patch& patch) {
-    const std::array<std::vector<double>, 2> knots = {clampedKnots(patch.knots[0], patch.degree[0]),
-                                                      clampedKnots(patch.knots[1], patch.degree[1])};
-    if (knots == patch.knots) return patch;
+Patch clampedAlongU(const Patch& patch) {
+    const std::vector<double> knots = clampedKnots(patch.knots[0], patch.degree[0]);
+    if (knots == patch.knots[0]) return patch;
     Patch result = patch;
-    result.knots = knots;
-    const std::size_t columns = at(patch.count[0]);
-    const std::size_t rows = at(patch.count[1]);
-    SplineCurve line;
-    line.knots = patch.knots[0];
-    for (std::size_t j = 0; j < rows && knots[0] != patch.knots[0]; ++j) {
-        const auto row = result.controlPoints.begin() + static_cast<std::ptrdiff_t>(j * columns);
-        line.points.assign(row, row + static_cast<std::ptrdiff_t>(columns));
-        std::ranges::copy(withKnots(line, knots[0]).points, row);
-    }
-    line.knots = patch.knots[1];
-    line.points.resize(rows);
-    for (std::size_t i = 0; i < columns && knots[1] != patch.knots[1]; ++i) {
-        for (std::size_t j = 0; j < rows; ++j)
-            line.points[j] = result.controlPoints[j * columns + i];
-        const SplineCurve column = withKnots(line, knots[1]);
-        for (std::size_t j = 0; j < rows; ++j)
-            result.controlPoints[j * columns + i] = column.points[j];
-    }
+    result.knots[0] = knots;
+    auto next = result.controlPoints.begin();
+    for (const SplineCurve& row : rowCurves(patch))
+        next = std::ranges::copy(withKnots(row, knots).points, next).out;
     return result;
 }
 
-std::vector<SplineCurve> rowCurves(const Patch& clampedPatch) {
+} // namespace
+
+Patch clamped(const Patch& patch) {
+    return transposed(clampedAlongU(transposed(clampedAlongU(patch))));
+}
+
+Patch transposed(const Patch& patch) {
+    Patch result = patch;
+    std::swap(result.degree[0], result.degree[1]);
+    std::swap(result.knots[0], result.knots[1]);
+    std::swap(result.count[0], result.count[1]);
+    const std::size_t columns = at(patch.count[0]);
+    const std::size_t rows = at(patch.count[1]);
+    for (std::size_t j = 0; j < rows; ++j)
+        for (std::size_t i = 0; i < columns; ++i)
+            result.controlPoints[i * rows + j] = patch.controlPoints[j * columns + i];
+    return result;
+}
+
+std::vector<SplineCurve> rowCurves(const Patch& patch) {
     std::vector<SplineCurve> curves;
-    const auto columns = static_cast<std::ptrdiff_t>(clampedPatch.count[0]);
-    const auto& points = clampedPatch.controlPoints;
+    const auto columns = static_cast<std::ptrdiff_t>(patch.count[0]);
+    const auto& points = patch.controlPoints;
     for (auto row = points.begin(); row != points.end(); row += columns)
-        if (clampedPatch.degree[0] == 3)
-            curves.push_back({clampedPatch.knots[0], {row, row + columns}});
+        if (patch.degree[0] == 3)
+            curves.push_back({patch.knots[0], {row, row + columns}});
         else
-            curves.push_back(bezier({row, row + columns}, clampedPatch.knots[0].back()));
+            curves.push_back(bezier({row, row + columns}, patch.knots[0].back()));
     return curves;
 }
 

@@ -16,7 +16,10 @@ namespace qm {
 /// The border of a clamped patch along one of its sides, in the side's direction, as a cubic.
 [[nodiscard]] SplineCurve borderCurve(const Patch& clampedPatch, int side);
 
-/// The rows of control points of a clamped patch, each as a cubic along u.
-[[nodiscard]] std::vector<SplineCurve> rowCurves(const Patch& clampedPatch);
+/// The rows of control points, each as a cubic along u over the patch's knots.
+[[nodiscard]] std::vector<SplineCurve> rowCurves(const Patch& patch);
+
+/// The same surface with u and v exchanged: rows become columns.
+[[nodiscard]] Patch transposed(const Patch& patch);
 
 } // namespace qm

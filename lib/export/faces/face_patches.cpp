@@ -54,20 +54,6 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
     }
 }
 
-/// Rows become columns.
-Patch transposed(const Patch& patch) {
-    Patch result = patch;
-    std::swap(result.degree[0], result.degree[1]);
-    std::swap(result.knots[0], result.knots[1]);
-    std::swap(result.count[0], result.count[1]);
-    const std::size_t columns = at(patch.count[0]);
-    const std::size_t rows = at(patch.count[1]);
-    for (std::size_t j = 0; j < rows; ++j)
-        for (std::size_t i = 0; i < columns; ++i)
-            result.controlPoints[i * rows + j] = patch.controlPoints[j * columns + i];
-    return result;
-}
-
 /// The part between two values of u.
 Patch strip(const Patch& patch, double begin, double end) {
     if (begin == 0 && end == patch.knots[0].back()) return patch;
