@@ -133,6 +133,14 @@ Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
     return Builder(mesh, dihedralAngles, edgeCosts).build(tracks);
 }
 
+std::vector<bool> cornerMarks(const QuadMesh& mesh, const Layout& layout) {
+    std::vector<bool> marks(mesh.n_vertices());
+    for (const Segment& segment : layout.segments)
+        for (const VertexId corner : segment.corners)
+            marks[at(corner)] = true;
+    return marks;
+}
+
 std::vector<VertexId> vertexGrid(const QuadMesh& mesh, const Segment& segment) {
     const std::size_t columns = at(segment.size[0]), rows = at(segment.size[1]);
     std::vector<VertexId> grid((columns + 1) * (rows + 1));

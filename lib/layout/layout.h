@@ -47,6 +47,9 @@ struct Layout {
                                  const std::vector<double>& dihedralAngles,
                                  const std::vector<double>& edgeCosts);
 
+/// By vertex: whether a segment has a corner there.
+[[nodiscard]] std::vector<bool> cornerMarks(const QuadMesh& mesh, const Layout& layout);
+
 /// The (a + 1) x (b + 1) vertices of a segment, row by row: vertex (i, j) at j * (a + 1) + i.
 [[nodiscard]] std::vector<VertexId> vertexGrid(const QuadMesh& mesh, const Segment& segment);
 

@@ -25,17 +25,13 @@ double capturedSharpness(const QuadMesh& mesh, const Layout& layout, const std::
 
 /// The number of vertices strictly inside a side of one segment that are a corner of another.
 std::size_t countTJoints(const QuadMesh& mesh, const Layout& layout) {
-    std::vector<bool> corner(mesh.n_vertices(), false), counted(mesh.n_vertices(), false);
-    for (const Segment& segment : layout.segments)
-        for (const VertexId vertex : segment.corners)
-            corner[at(vertex)] = true;
+    std::vector<bool> isOpen = cornerMarks(mesh, layout); // corners that are not counted yet
     std::size_t count = 0;
     for (const Segment& segment : layout.segments)
         for (const auto& side : segment.sides)
             for (std::size_t k = 1; k + 1 < side.size(); ++k) {
-                const std::size_t vertex = at(side[k]);
-                if (!corner[vertex] || counted[vertex]) continue;
-                counted[vertex] = true;
+                if (!isOpen[at(side[k])]) continue;
+                isOpen[at(side[k])] = false;
                 ++count;
             }
     return count;

@@ -8,10 +8,7 @@ BoundingBox boundingBox(const QuadMesh& mesh) {
     if (mesh.n_faces() == 0) return {};
     BoundingBox box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
     for (const VertexId vertex : mesh.vertices())
-        if (!mesh.is_isolated(vertex)) {
-            box.low.minimize(mesh.point(vertex));
-            box.high.maximize(mesh.point(vertex));
-        }
+        if (!mesh.is_isolated(vertex)) box.include(mesh.point(vertex));
     return box;
 }
 

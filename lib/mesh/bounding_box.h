@@ -16,6 +16,11 @@ struct BoundingBox {
     [[nodiscard]] Point size() const { return high - low; }
     [[nodiscard]] Point centre() const { return (low + high) / 2; }
     [[nodiscard]] double diagonal() const { return size().norm(); }
+
+    void include(const Point& point) {
+        low.minimize(point);
+        high.maximize(point);
+    }
 };
 
 /// \param pointOf the point of an element of `items`
@@ -25,10 +30,8 @@ template <std::ranges::forward_range Items, typename PointOf = std::identity>
     if (std::ranges::empty(items)) return {};
     const Point first = std::invoke(pointOf, *std::ranges::begin(items));
     BoundingBox box{first, first};
-    for (const auto& item : items) {
-        box.low.minimize(std::invoke(pointOf, item));
-        box.high.maximize(std::invoke(pointOf, item));
-    }
+    for (const auto& item : items)
+        box.include(std::invoke(pointOf, item));
     return box;
 }
 

@@ -103,10 +103,8 @@ Extent extentOf(const QuadMesh& mesh, const std::vector<FaceId>& faces) {
         for (const Triangle& triangle : halvesOf(mesh, face)) {
             const auto& [a, b, c] = triangle;
             extent.volume += (a - origin) | ((b - origin) % (c - origin));
-            for (const Point& corner : triangle) {
-                extent.box.low.minimize(corner);
-                extent.box.high.maximize(corner);
-            }
+            for (const Point& corner : triangle)
+                extent.box.include(corner);
         }
     return extent;
 }

@@ -70,8 +70,7 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     figures.deviation = surfaces->deviation;
     figures.scan = surfaces->scan;
     const auto withPoint = [&](const LayoutPlace& place) {
-        return SurfacePlace{place,
-                            evaluate(surfaces->patches[place.patch], place.at[0], place.at[1]).position};
+        return SurfacePlace{place, pointAt(surfaces->patches, place)};
     };
     figures.farthest = withPoint(surfaces->farthest);
     if (figures.scan) figures.farthestFromScan = withPoint(figures.scan->farthest);

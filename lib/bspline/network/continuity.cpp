@@ -8,19 +8,14 @@
 namespace qm {
 namespace {
 
-/// Ascending; each parameter as often as in the one of the lists that has it more often.
-std::vector<double> unionOf(const std::vector<double>& a, const std::vector<double>& b) {
-    std::vector<double> result;
-    std::ranges::set_union(a, b, std::back_inserter(result));
-    return result;
-}
-
-/// The part of a list strictly between two parameters.
-std::vector<double> between(const std::vector<double>& knots, double begin, double end) {
-    std::vector<double> result;
-    std::ranges::copy_if(knots, std::back_inserter(result),
-                         [&](double knot) { return begin < knot && knot < end; });
-    return result;
+/// The knots of both strips strictly between two parameters, ascending; each as often as in the strip that
+/// has it more often.
+std::vector<double> knotsBetween(double begin, double end, const BorderStrip& first,
+                                 const BorderStrip& second) {
+    std::vector<double> knots;
+    std::ranges::set_union(first.knots(), second.knots(), std::back_inserter(knots));
+    std::erase_if(knots, [&](double knot) { return knot <= begin || knot >= end; });
+    return knots;
 }
 
 /// A control point of a refined cubic: the arguments of its polar form, and a parameter in its support.
@@ -48,8 +43,7 @@ std::vector<RefinedPoint> refinedPoints(double begin, double end, const std::vec
 /// Where the tangent ratio is zero, both sides' derivatives are splines of one kind.
 void addOppositeDerivatives(double begin, double end, const BorderStrip& first, const BorderStrip& second,
                             std::vector<LinearForm>& equations) {
-    const auto inner = between(unionOf(first.knots(), second.knots()), begin, end);
-    for (const RefinedPoint& point : refinedPoints(begin, end, inner)) {
+    for (const RefinedPoint& point : refinedPoints(begin, end, knotsBetween(begin, end, first, second))) {
         LinearForm form;
         first.addBlossom(Across::derivative, point.at, point.within, 1, form);
         second.addBlossom(Across::derivative, point.at, point.within, 1, form);
@@ -65,7 +59,7 @@ void addCollocation(const SmoothRun& run, double begin, double end, const Border
                     const BorderStrip& second, std::vector<LinearForm>& equations) {
     constexpr int places = 4; // as many as a cubic has coefficients
     std::vector<double> ends{begin};
-    for (const double knot : between(unionOf(first.knots(), second.knots()), begin, end))
+    for (const double knot : knotsBetween(begin, end, first, second))
         if (knot > ends.back()) ends.push_back(knot);
     ends.push_back(end);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
@@ -93,8 +87,7 @@ void addCollocation(const SmoothRun& run, double begin, double end, const Border
 void addPositionEquations(const Stretch& stretch, const BorderStrip& first, const BorderStrip& second,
                           std::vector<LinearForm>& equations) {
     const double end = stretch.length();
-    for (const RefinedPoint& point :
-         refinedPoints(0, end, between(unionOf(first.knots(), second.knots()), 0, end))) {
+    for (const RefinedPoint& point : refinedPoints(0, end, knotsBetween(0, end, first, second))) {
         LinearForm form;
         first.addBlossom(Across::position, point.at, point.within, 1, form);
         second.addBlossom(Across::position, point.at, point.within, -1, form);

@@ -59,6 +59,10 @@ SurfacePoint evaluate(const Patch& patch, const BasisValues& u, const BasisValue
     return {point(position), point(du), point(dv)};
 }
 
+Point pointAt(const std::vector<Patch>& patches, const LayoutPlace& place) {
+    return evaluate(patches[place.patch], place.at[0], place.at[1]).position;
+}
+
 SurfacePoint evaluate(const Patch& patch, double u, double v) {
     return evaluate(patch, basisValues(patch.knots[0], patch.degree[0], u),
                     basisValues(patch.knots[1], patch.degree[1], v));

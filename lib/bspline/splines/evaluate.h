@@ -26,6 +26,9 @@ struct SurfacePoint {
 /// The same from basis values already at hand, for many points on common parameter lines.
 [[nodiscard]] SurfacePoint evaluate(const Patch& patch, const BasisValues& u, const BasisValues& v);
 
+/// The point at a place of the layout.
+[[nodiscard]] Point pointAt(const std::vector<Patch>& patches, const LayoutPlace& place);
+
 /// All points of a lattice: (us[i], vs[j]) at j * us.size() + i.
 [[nodiscard]] std::vector<SurfacePoint> evaluateLattice(const Patch& patch, std::span<const double> us,
                                                         std::span<const double> vs);

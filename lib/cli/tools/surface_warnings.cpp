@@ -40,9 +40,7 @@ void warnOfFolds(const Tool& tool, const Surfaces& surfaces) {
         where = ", " + std::to_string(worst->folds) + " of them in patch " + std::to_string(patch);
         const auto place = std::ranges::find(surfaces.folds, patch, &LayoutPlace::patch);
         if (place != surfaces.folds.end())
-            where +=
-                " at " + pointText(evaluate(surfaces.patches[patch], place->at[0], place->at[1]).position,
-                                   extentOf(surfaces));
+            where += " at " + pointText(pointAt(surfaces.patches, *place), extentOf(surfaces));
     }
     tool.warn(countText(folds, "piece") + " of patches may fold over" + where +
               ". Look at it with qm-view, and mend the mesh there or make it finer");

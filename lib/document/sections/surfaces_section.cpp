@@ -56,7 +56,7 @@ template <class Figures, class Visitor> void visitScan(Figures& scan, Visitor&& 
 }
 
 Json placeToJson(const std::vector<Patch>& patches, const LayoutPlace& place) {
-    return placeToJson(place, evaluate(patches[place.patch], place.at[0], place.at[1]).position);
+    return placeToJson(place, pointAt(patches, place));
 }
 
 Json scanToJson(const Surfaces& surfaces, const ScanFile& file) {

@@ -35,15 +35,6 @@ Cuts c0Lines(const Patch& patch) {
 /// side with thousands of edges would hold them up: it gets no more than this.
 constexpr std::size_t maxEdges = 128;
 
-/// By vertex: whether a face has a corner there.
-std::vector<bool> cornersOf(const QuadMesh& mesh, const Layout& layout) {
-    std::vector<bool> result(mesh.n_vertices(), false);
-    for (const Segment& segment : layout.segments)
-        for (const VertexId corner : segment.corners)
-            result[at(corner)] = true;
-    return result;
-}
-
 /// Cuts sides of too many edges at some of the T-joints there.
 void cutLongSides(const Segment& segment, const std::vector<bool>& isCorner, Cuts& cuts) {
     for (int side = 0; side < 4; ++side) {
@@ -112,7 +103,7 @@ bool touchesItself(const Segment& segment) {
 
 FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance) {
     FacePatches result;
-    const auto isCorner = cornersOf(mesh, faces.layout);
+    const auto isCorner = cornerMarks(mesh, faces.layout);
     for (std::size_t f = 0; f < faces.patches.size(); ++f) {
         Segment& segment = faces.layout.segments[f];
         faces.patches[f] = withoutNeedlessKnots(faces.patches[f], tolerance);
