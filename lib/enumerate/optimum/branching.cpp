@@ -4,6 +4,7 @@
 #include "enumerate/optimum/tuning.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace qm {
 namespace {
@@ -29,25 +30,22 @@ BranchingChoice Branching::chooseAnyFree(double bound) const {
 }
 
 BranchingChoice Branching::choose(double bound) {
-    const ColumnValues values = part_.relaxation.values();
-    std::vector<std::pair<double, ColumnId>> candidates;
-    for (const ColumnId column : values.ids())
-        if (isFractional(values[column]) && part_.formulation.variableOf[column].valid() &&
-            part_.columns.value(column) == ArcState::free)
-            candidates.emplace_back(-pseudoCosts_.score(column, values[column]), column);
+    std::vector<std::tuple<double, ColumnId, double>> candidates;
+    for (const auto& [column, value] : part_.fractionalColumns())
+        candidates.emplace_back(-pseudoCosts_.score(column, value), column, value);
     if (candidates.empty()) return chooseAnyFree(bound);
     std::ranges::sort(candidates);
     const Relaxation::Basis basis = part_.relaxation.basis();
     BranchingChoice best;
     double bestScore = -1;
     int probes = 0, worse = 0;
-    for (const auto& [negativeScore, column] : candidates) {
+    for (const auto& [negativeScore, column, value] : candidates) {
         BranchingChoice choice{decisionOf(column), bound, bound};
         double score = -negativeScore;
         if (pseudoCosts_.trust(column) < Tuning::probesToTrust && probes < Tuning::probesPerNode &&
             !part_.isOver()) {
             ++probes;
-            choice = probe(column, values[column], bound, score);
+            choice = probe(column, value, bound, score);
             part_.relaxation.setBasis(basis);
             if (std::max(choice.boundIn, choice.boundOut) == infinity) return choice;
         }

@@ -19,13 +19,8 @@ constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 /// \return false if none is left, or on a contradiction
 bool fixSurest(PartSearch& part) {
     std::vector<std::pair<double, ColumnId>> order;
-    const ColumnValues values = part.relaxation.values();
-    for (const ColumnId column : values.ids()) {
-        const double value = values[column];
-        if (isFractional(value) && part.formulation.variableOf[column].valid() &&
-            part.columns.value(column) == ArcState::free)
-            order.emplace_back(-value, column);
-    }
+    for (const auto& [column, value] : part.fractionalColumns())
+        order.emplace_back(-value, column);
     std::ranges::sort(order);
     const std::size_t max = 1 + order.size() / Tuning::maxStep, min = 1 + order.size() / Tuning::minStep;
     std::size_t fixed = 0;

@@ -8,6 +8,7 @@
 #include "enumerate/relaxation/relaxation.h"
 #include "enumerate/state/incumbents.h"
 
+#include <utility>
 #include <vector>
 
 namespace qm {
@@ -71,6 +72,8 @@ struct PartSearch {
 
     /// The value of a variable in the last relaxed solution.
     [[nodiscard]] double present(VariableId variable) const;
+    /// The free columns whose value in the last relaxed solution is fractional, each with it.
+    [[nodiscard]] std::vector<std::pair<ColumnId, double>> fractionalColumns() const;
     [[nodiscard]] bool allDecided() const;
     /// The simplex method's work so far, that of searches within this one included.
     [[nodiscard]] std::size_t work() const { return workElsewhere + relaxation.work(); }
