@@ -10,11 +10,17 @@
 namespace qm {
 namespace {
 
+/// Limit of branch and bound for one neighbourhood.
+constexpr int maxNodes = 100;
+/// Rows with more columns do not make them neighbours.
+constexpr std::size_t longRow = 40;
+/// How many neighbourhoods without success there are before they grow.
+constexpr int patience = 12;
+
 class NeighbourhoodSearch {
 public:
-    NeighbourhoodSearch(const IntegerProgram& program, ColumnValues values,
-                        const NeighbourhoodOptions& options)
-        : program_(program), options_(options), values_(std::move(values)), rowsOf_(program.costs.size()),
+    NeighbourhoodSearch(const IntegerProgram& program, ColumnValues values)
+        : program_(program), values_(std::move(values)), rowsOf_(program.costs.size()),
           place_(program.costs.size()) {
         for (const RowId row : program.rows.ids())
             for (const ColumnId column : program.rows[row].columns)
@@ -36,7 +42,7 @@ public:
         std::ranges::for_each(sources, see);
         for (std::size_t k = 0; k < found.size() && found.size() < size; ++k)
             for (const RowId row : rowsOf_[found[k]])
-                if (program_.rows[row].columns.size() <= options_.longRow)
+                if (program_.rows[row].columns.size() <= longRow)
                     std::ranges::for_each(program_.rows[row].columns, see);
         return found;
     }
@@ -50,7 +56,7 @@ public:
             start.push_back(values_[column]);
         const IntegerProgram part = restrictedTo(free);
         const double before = part.cost(start);
-        const ProgramSolution solution = solveProgram(part, start, {seconds, options_.nodes}, control);
+        const ProgramSolution solution = solveProgram(part, start, {seconds, maxNodes}, control);
         if (!solution.values) return false;
         const double after = part.cost(*solution.values);
         constexpr double rounding = 1e-9; // for sums of costs
@@ -95,7 +101,6 @@ private:
     }
 
     const IntegerProgram& program_;
-    const NeighbourhoodOptions& options_;
     ColumnValues values_;
     IdVector<ColumnId, std::vector<RowId>> rowsOf_;
     IdVector<ColumnId, ColumnId> place_; ///< index in the part being built; otherwise none
@@ -108,7 +113,7 @@ ColumnValues improveByNeighbourhoods(const IntegerProgram& program, ColumnValues
                                      const NeighbourhoodOptions& options, const Control& control) {
     const Deadline deadline(control, options.seconds);
     const Control inTime = deadline.control();
-    NeighbourhoodSearch search(program, std::move(values), options);
+    NeighbourhoodSearch search(program, std::move(values));
     std::mt19937 random(options.seed);
     std::size_t size = options.columns;
     for (int turn = 0, inVain = 0; search.columns() > 0 && !inTime.stopRequested(); ++turn) {
@@ -117,7 +122,7 @@ ColumnValues improveByNeighbourhoods(const IntegerProgram& program, ColumnValues
         const std::vector<ColumnId> free = search.around(sources, size);
         const bool better = search.solve(free, deadline.secondsLeft(), inTime);
         inVain = better ? 0 : inVain + 1;
-        if (inVain < options.patience) continue;
+        if (inVain < patience) continue;
         if (size >= search.columns()) break;
         size *= 2;
         inVain = 0;

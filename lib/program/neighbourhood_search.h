@@ -11,13 +11,10 @@
 
 namespace qm {
 
-/// All limits except `seconds` are counts, so without that one the result is the same on every machine.
+/// Without a limit of time, the result is the same on every machine.
 struct NeighbourhoodOptions {
     double seconds = infinity; ///< in total; the best so far is returned
-    int nodes = 100;           ///< limit of branch and bound for one neighbourhood
     std::size_t columns = 250; ///< of a neighbourhood at first
-    std::size_t longRow = 40;  ///< rows with more columns do not make them neighbours
-    int patience = 12;         ///< neighbourhoods without success before they grow
     std::uint32_t seed = 5489; ///< for the choice of neighbourhoods
 };
 
