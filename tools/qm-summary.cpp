@@ -19,8 +19,8 @@ int main(int argc, char** argv) {
             tool.writes("the summary");
             tool.explain(
                 "If a limit is missed, a line says so, and the exit status is 3. The limits are the "
-                "tolerance of the fit, twice the tolerance for distances from a scan's own triangles, the "
-                "options below, and that a closed mesh becomes a solid.");
+                "tolerance of the fit, twice the tolerance and seven times the noise for distances from a "
+                "scan's own triangles, the options below, and that a closed mesh becomes a solid.");
             tool.option("max-patches", maxPatches, qm::Range{1, qm::maxCount},
                         "largest number of patches allowed");
             tool.option("max-normal-angle", limits.maxNormalAngle, qm::Range{0, 180},
