@@ -62,8 +62,8 @@ Angles dihedralAngles(const CheckedMesh& mesh, const Neighbourhoods& around) {
         const Normal& right = normals[at(around.leftFace(around.back(step)))];
         if (left.doubtful || right.doubtful) angles.doubt[edge] = std::numbers::pi;
         const Vector sine = cross(left.direction, right.direction);
-        const double cosine = dot(left.direction, right.direction);
-        // Both are zero beside a face without a normal, and so is the angle.
+        // Both are zero beside a face without a normal, and so is the angle; of -0 it would be pi.
+        const double cosine = dot(left.direction, right.direction) + 0.0;
         angles.angle[edge] = std::atan2(length(sine), cosine);
     }
     return angles;
