@@ -83,7 +83,7 @@ SparseFactors::SparseFactors(const Eigen::SparseMatrix<double>& lower, unsigned 
 /// Forward substitution with the columns of one supernode.
 /// \param own       scratch, at least as high as the supernode
 /// \param passedOn  by supernode: what its columns subtract from its rows, one after another
-void SparseFactors::forward(std::size_t number, Rows& x, Rows& own, Rows& passedOn) const {
+void SparseFactors::forward(std::size_t number, Rows& x, Columns& own, Rows& passedOn) const {
     const Supernode& supernode = plan_.nodes[number];
     const auto columns = columnsOf(number);
     const Index width = columns.cols();
@@ -95,17 +95,14 @@ void SparseFactors::forward(std::size_t number, Rows& x, Rows& own, Rows& passed
         for (const int place : plan_.placesOf(plan_.nodes[at(child)]))
             own.row(place) += passedOn.row(row++);
     }
-    for (Index k = 0; k < width; ++k) {
-        const Eigen::RowVector3d known = own.row(k);
-        const double* column = columns.col(k).data();
-        for (Index row = k + 1; row < height; ++row)
-            own.row(row) -= column[row] * known;
-    }
+    for (Index k = 0; k < width; ++k)
+        for (Index i = 0; i < 3; ++i)
+            own.col(i).segment(k + 1, height - k - 1) -= columns.col(k).tail(height - k - 1) * own(k, i);
     x.middleRows(supernode.begin, width) = own.topRows(width);
     passedOn.middleRows(supernode.firstRow, height - width) = own.middleRows(width, height - width);
 }
 
-void SparseFactors::backward(std::size_t number, Rows& x, Rows& own) const {
+void SparseFactors::backward(std::size_t number, Rows& x, Columns& own) const {
     const Supernode& supernode = plan_.nodes[number];
     const auto columns = columnsOf(number);
     const Index width = columns.cols();
@@ -113,13 +110,10 @@ void SparseFactors::backward(std::size_t number, Rows& x, Rows& own) const {
     Index next = width;
     for (const int row : plan_.rowsOf(supernode))
         own.row(next++) = x.row(row);
-    for (Index k = width; k-- > 0;) {
-        Eigen::RowVector3d sum = x.row(supernode.begin + k) / columns(k, k);
-        const double* column = columns.col(k).data();
-        for (Index row = k + 1; row < height; ++row)
-            sum -= column[row] * own.row(row);
-        own.row(k) = sum;
-    }
+    for (Index k = width; k-- > 0;)
+        for (Index i = 0; i < 3; ++i)
+            own(k, i) = x(supernode.begin + k, i) / columns(k, k) -
+                        columns.col(k).tail(height - k - 1).dot(own.col(i).segment(k + 1, height - k - 1));
     x.middleRows(supernode.begin, width) = own.topRows(width);
 }
 
@@ -128,12 +122,12 @@ Eigen::MatrixX3d SparseFactors::solve(const Eigen::MatrixX3d& rightHandSide) con
     Rows x = order_ * rightHandSide;
     Rows passedOn(static_cast<Index>(plan_.rows.size()), 3);
     const auto goUp = [&](std::size_t part) {
-        Rows own(maxHeight_, 3);
+        Columns own(maxHeight_, 3);
         for (const int supernode : plan_.parts[part])
             forward(at(supernode), x, own, passedOn);
     };
     const auto goDown = [&](std::size_t part) {
-        Rows own(maxHeight_, 3);
+        Columns own(maxHeight_, 3);
         const std::vector<int>& supernodes = plan_.parts[part];
         for (std::size_t k = supernodes.size(); k-- > 0;)
             backward(at(supernodes[k]), x, own);

@@ -29,8 +29,10 @@ private:
 
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-    void forward(std::size_t number, Rows& x, Rows& own, Rows& passedOn) const;
-    void backward(std::size_t number, Rows& x, Rows& own) const;
+    using Columns = Eigen::MatrixX3d; ///< for what is added up along columns of L
+
+    void forward(std::size_t number, Rows& x, Columns& own, Rows& passedOn) const;
+    void backward(std::size_t number, Rows& x, Columns& own) const;
 
     unsigned jobs_;
     Permutation order_;

@@ -59,16 +59,27 @@ double signedDistance(const FitLattice& lattice, std::size_t k, const SurfacePoi
 /// angle.
 constexpr double minCosine = 0.92;
 
+/// By point: the mean normal, or on creases the mean direction; zero where no target slides.
+std::vector<Point> meanAxes(const FitLattice& lattice, const std::vector<SurfacePoint>& points) {
+    std::vector<Point> axes(points.size(), Point(0, 0, 0));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (lattice.isHeld[k] || lattice.freedom[k] == Freedom::corner) continue;
+        axes[k] = lattice.freedom[k] == Freedom::crease ? meanDirection(lattice, k, points[k])
+                                                        : meanNormal(lattice, k, points[k]);
+    }
+    return axes;
+}
+
 /// The weighted mean distance of a patch from the reference.
-double meanDistance(const FitLattice& lattice, const std::vector<SurfacePoint>& points) {
+double meanDistance(const FitLattice& lattice, const std::vector<SurfacePoint>& points,
+                    const std::vector<Point>& axes) {
     double sum = 0;
     double weights = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (lattice.isHeld[k] || lattice.freedom[k] != Freedom::surface) continue;
-        const Point axis = meanNormal(lattice, k, points[k]);
-        if ((lattice.axes[k] | axis) < minCosine) continue;
+        if ((lattice.axes[k] | axes[k]) < minCosine) continue;
         const double weight = lattice.targets.weights[k] / lattice.emphasis[k];
-        sum += weight * ((points[k].position - lattice.reference[k]) | axis);
+        sum += weight * ((points[k].position - lattice.reference[k]) | axes[k]);
         weights += weight;
     }
     return weights > 0 ? sum / weights : 0;
@@ -86,7 +97,9 @@ struct Slide {
     Point ahead{0, 0, 0};
 };
 
-Slide slideOf(const FitLattice& lattice, std::size_t k, const SurfacePoint& point,
+/// \param position  of the surface
+/// \param axis      of `meanAxes`
+Slide slideOf(const FitLattice& lattice, std::size_t k, const Point& position, const Point& axis,
               const SlideLimits& limits) {
     // Enough for slides to converge in a few steps, but not so much that they oscillate.
     constexpr double momentum = 0.8;
@@ -95,13 +108,12 @@ Slide slideOf(const FitLattice& lattice, std::size_t k, const SurfacePoint& poin
     // The same along the normal: waves are much stiffer than this, the shapes of whole parts much softer.
     constexpr double restoring = 0.15;
     const bool onCrease = lattice.freedom[k] == Freedom::crease;
-    const Point axis = onCrease ? meanDirection(lattice, k, point) : meanNormal(lattice, k, point);
     if (!((lattice.axes[k] | axis) >= minCosine)) return {};
     const auto allowed = [&](const Point& vector) {
         const Point along = axis * (vector | axis);
         return onCrease ? along : vector - along;
     };
-    const Point offset = point.position - lattice.reference[k];
+    const Point offset = position - lattice.reference[k];
     Point slide = (1 - anchor) * allowed(offset);
     const double limit = limits.edges * lattice.edge[k];
     const double length = slide.norm();
@@ -174,13 +186,14 @@ void slideTargets(const Patch& patch, double slack, FitLattice& lattice) {
     for (std::size_t k = 0; k < points.size(); ++k)
         areFolded[k] = isFolded(lattice, k, points[k]);
     holdAroundFolds(areFolded, lattice);
+    const std::vector<Point> axes = meanAxes(lattice, points);
     const SlideLimits limits{
         .edges = std::max(1.0, slideShare * std::min(parameters[0].back(), parameters[1].back())),
-        .mean = slack > 0 ? meanDistance(lattice, points) : 0,
+        .mean = slack > 0 ? meanDistance(lattice, points, axes) : 0,
         .slack = slack};
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (lattice.isHeld[k] || lattice.freedom[k] == Freedom::corner) continue;
-        const auto [slide, ahead] = slideOf(lattice, k, points[k], limits);
+        const auto [slide, ahead] = slideOf(lattice, k, points[k].position, axes[k], limits);
         lattice.slides[k] = slide;
         lattice.targets.points[k] = lattice.reference[k] + ahead;
     }
