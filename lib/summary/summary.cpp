@@ -35,8 +35,8 @@ double farFromScan(const FitSummary& fit) {
 
 std::string scanTooFarAway(const Summary& summary, const std::string& unit) {
     const FitSummary& fit = *summary.fit;
-    return "the scan is up to " + figureText(fit.scan->max) + unit + " away where " +
-           figureText(fit.tolerance) + unit + " are allowed, " +
+    return "the scan is up to " + figureText(fit.scan->max) + unit +
+           " away where tolerance and noise explain " + figureText(farFromScan(fit)) + unit + ", " +
            placeText(fit.farthestFromScan, summary.diagonal) +
            ": it shows something there that the quads do not. Make more quads of it, or mend it";
 }

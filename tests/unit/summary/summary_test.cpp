@@ -88,8 +88,9 @@ TEST(Summary, WhatAScanShowsFarAwayIsTold) {
     summary.fit->farthestFromScan = {{3, {}}, {1, 2, 3}};
     const auto unmet = unmetLimits(summary, {}, "mm");
     ASSERT_EQ(unmet.size(), 1U);
-    EXPECT_EQ(unmet[0].substr(0, unmet[0].find(':')),
-              "the scan is up to 0.25 mm away where 0.1 mm are allowed, in patch 3 at (1, 2, 3)");
+    EXPECT_EQ(
+        unmet[0].substr(0, unmet[0].find(':')),
+        "the scan is up to 0.25 mm away where tolerance and noise explain 0.2 mm, in patch 3 at (1, 2, 3)");
     scan.noise = 0.01; // which explains a vertex there
     EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty());
     scan.max = 0.28;
