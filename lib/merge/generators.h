@@ -15,8 +15,8 @@ namespace qm {
 struct GeneratorLimits {
     double complexity = 0; ///< chi: fewer particles are taken if a closed set of linked ones is this complex
     int rounds = 0;        ///< of CMG
-    /// Limit of the simplex method's work in one search, ten times what all but few need: about a second. A
-    /// few sub-meshes, dense with extraordinary vertices, would take hours.
+    /// Limit of the simplex method's work in one search, ten times what all but few need: about a second. In
+    /// a sub-mesh dense with extraordinary vertices, a first graph may take minutes.
     std::size_t work = 20'000'000;
 };
 

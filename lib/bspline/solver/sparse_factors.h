@@ -28,7 +28,6 @@ private:
     }
 
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-
     using Columns = Eigen::MatrixX3d; ///< for what is added up along columns of L
 
     void forward(std::size_t number, Rows& x, Columns& own, Rows& passedOn) const;
