@@ -1,4 +1,5 @@
 /// \file qm-view: shows documents as a page or as a picture.
+#include "base/joined.h"
 #include "cli/system/browser.h"
 #include "cli/system/output_file.h"
 #include "cli/tools/viewed_document.h"
@@ -14,9 +15,9 @@ int main(int argc, char** argv) {
         tool.explain("The results of each stage are layers; pointing at an element shows its number in the "
                      "document. Layers of faces, one at a time (zebra: reflected stripes; mean, gauss: "
                      "curvatures; tolerance: pass or fail; scan: distances from its triangles): " +
-                     qm::joinedNames(qm::faceLayerNames) +
+                     qm::joined(qm::faceLayerNames) +
                      ". Lines and points (jumps: angles between normals across smooth borders): " +
-                     qm::joinedNames(qm::lineLayerNames) + ".");
+                     qm::joined(qm::lineLayerNames) + ".");
         tool.text("show", show, "LAYER,...", "layers shown initially, such as segments,borders",
                   qm::allLayerNames());
         tool.text("compare", compare, "DOCUMENT",

@@ -1,5 +1,6 @@
 #include "cli/tool.h"
 
+#include "base/joined.h"
 #include "cli/system/output_file.h"
 #include "cli/system/signals.h"
 #include "cli/terminal/messages.h"
@@ -129,13 +130,13 @@ Control Tool::control(const std::string& label) const {
 // ------------------------------------------------------------------------------------------- the one main
 
 void Tool::noteSettings() const {
-    std::string text;
+    std::vector<std::string> settings;
     for (const OptionRecord& option : usage_.options) {
         if (option.group == generalOptions) continue;
-        const std::string value = option.show();
-        if (!value.empty()) text += (text.empty() ? "" : ", ") + option.name + " " + value;
+        if (const std::string value = option.show(); !value.empty())
+            settings.push_back(option.name + " " + value);
     }
-    note("settings: " + (text.empty() ? "none" : text));
+    note("settings: " + (settings.empty() ? "none" : joined(settings)));
 }
 
 int Tool::answer(const ToolBody& body) {

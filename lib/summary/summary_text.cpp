@@ -1,8 +1,10 @@
+#include "base/joined.h"
 #include "base/number_text.h"
 #include "summary/figure_text.h"
 #include "summary/summary.h"
 
 #include <algorithm>
+#include <span>
 
 namespace qm {
 namespace {
@@ -18,13 +20,12 @@ std::string sizeText(const Summary& summary, const std::string& unit) {
            figureText(summary.size[2]) + " " + unit;
 }
 
-/// "2 open loops, 12.3 and 4.5 mm long".
+/// "2 open loops, 12.3, 4.5 mm long".
 std::string loopsText(const Summary& summary, const std::string& unit) {
-    std::string text = countText(summary.loops.size(), "open loop") + ", ";
-    const std::size_t shown = std::min(summary.loops.size(), loopsShown);
-    for (std::size_t k = 0; k < shown; ++k)
-        text += (k == 0 ? "" : ", ") + figureText(summary.loops[k].length);
-    return text + (shown < summary.loops.size() ? ", ... " : " ") + unit + " long";
+    const auto first = std::span(summary.loops).first(std::min(summary.loops.size(), loopsShown));
+    return countText(summary.loops.size(), "open loop") + ", " +
+           joined(first, ", ", [](const BoundaryLoop& loop) { return figureText(loop.length); }) +
+           (first.size() < summary.loops.size() ? ", ... " : " ") + unit + " long";
 }
 
 std::string shapeText(const Summary& summary, const std::string& unit) {

@@ -2,6 +2,7 @@
 
 #include "base/embedded_text.h"
 #include "base/error.h"
+#include "base/joined.h"
 #include "view/scene_json.h"
 
 #include <algorithm>
@@ -43,10 +44,7 @@ std::string namesOf(std::span<const Scene> scenes) {
         list(scene.lines);
         list(scene.points);
     }
-    std::string text;
-    for (const std::string& name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return text;
+    return joined(names);
 }
 
 /// At most one of the layers may colour the faces: the others would hide behind it.

@@ -1,6 +1,7 @@
 #include "view/view_options.h"
 
 #include "base/error.h"
+#include "base/joined.h"
 #include "base/number_text.h"
 
 #include <algorithm>
@@ -22,13 +23,6 @@ std::vector<std::string> split(const std::string& text, char mark) {
 
 } // namespace
 
-std::string joinedNames(std::span<const char* const> names) {
-    std::string text;
-    for (const char* name : names)
-        text += (text.empty() ? "" : ", ") + std::string(name);
-    return text;
-}
-
 std::vector<std::string> allLayerNames() {
     std::vector<std::string> names(faceLayerNames.begin(), faceLayerNames.end());
     names.insert(names.end(), lineLayerNames.begin(), lineLayerNames.end());
@@ -41,8 +35,7 @@ std::vector<std::string> parseLayers(const std::string& text) {
     for (std::string& name : split(text, ',')) {
         if (name.empty()) continue;
         if (std::ranges::find(known, name) == known.end())
-            throw Error("", "there is no layer " + name,
-                        "Give some of " + joinedNames(faceLayerNames) + ", " + joinedNames(lineLayerNames));
+            throw Error("", "there is no layer " + name, "Give some of " + joined(known));
         names.push_back(std::move(name));
     }
     return names;

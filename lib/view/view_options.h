@@ -5,15 +5,12 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace qm {
 
-/// "mesh, segments".
-[[nodiscard]] std::string joinedNames(std::span<const char* const> names);
-/// Those of faces, lines and points.
+/// The layers of faces, and then those of lines and points.
 [[nodiscard]] std::vector<std::string> allLayerNames();
 
 /// "segments,borders" as a list.

@@ -1,5 +1,6 @@
 #include "cli/options/option_record.h"
 
+#include "base/joined.h"
 #include "base/number_text.h"
 #include "document/options/cost_text.h"
 
@@ -115,9 +116,7 @@ OptionRecord makeChoiceOption(const std::string& name, const std::string& help,
     result.placeholder = "NAME";
     result.defaultText = show();
     result.show = std::move(show);
-    std::string names;
-    for (const auto& [choice, explanation] : choices)
-        names += (names.empty() ? "" : ", ") + choice;
+    const std::string names = joined(choices, ", ", [](const auto& choice) { return choice.first; });
     result.choices = std::move(choices);
     result.assign = [assign = std::move(assign), names](const std::string& text) {
         return assign(text) ? std::string() : "'" + text + "' is none of " + names;

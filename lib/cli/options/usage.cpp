@@ -1,6 +1,7 @@
 #include "cli/options/usage.h"
 
 #include "base/at.h"
+#include "base/joined.h"
 #include "base/number_text.h"
 #include "document/json/json.h"
 #include "document/version.h"
@@ -43,16 +44,12 @@ std::string flagsOf(const OptionRecord& option) {
 
 /// The help text with choices, range and default.
 std::string explanation(const OptionRecord& option) {
-    std::string text = option.help;
-    std::string facts;
-    const auto add = [&facts](const std::string& fact) {
-        if (!fact.empty()) facts.append(facts.empty() ? "" : "; ").append(fact);
-    };
+    std::vector<std::string> facts;
     for (const auto& [name, help] : option.choices)
-        add(help.empty() ? name : std::string(name).append(": ").append(help));
-    add(rangeText(option.range));
-    if (!option.defaultText.empty()) add("default " + option.defaultText);
-    return facts.empty() ? text : text + " (" + facts + ")";
+        facts.push_back(help.empty() ? name : std::string(name).append(": ").append(help));
+    if (const std::string range = rangeText(option.range); !range.empty()) facts.push_back(range);
+    if (!option.defaultText.empty()) facts.push_back("default " + option.defaultText);
+    return facts.empty() ? option.help : option.help + " (" + joined(facts, "; ") + ")";
 }
 
 /// The help text begins in its own column, after at least two spaces, or on the next line.

@@ -1,5 +1,6 @@
 #include "cli/tools/mesh_input.h"
 
+#include "base/joined.h"
 #include "base/number_text.h"
 #include "cli/system/output_file.h"
 #include "cli/tools/repair_text.h"
@@ -11,6 +12,7 @@
 #include "mesh/suspicions.h"
 
 #include <algorithm>
+#include <span>
 
 namespace qm {
 
@@ -27,14 +29,15 @@ std::string repairedName(const std::string& path) {
     return name.substr(0, name.rfind('.')) + ".repaired.obj";
 }
 
-/// "2 boundary loops, 16 (at vertex 0) and 1.88 (at vertex 40) long".
+/// "2 boundary loops, 16 long (at vertex 0), 1.88 long (at vertex 40)".
 std::string loopsText(const std::vector<BoundaryLoop>& loops) {
     constexpr std::size_t shown = 4;
-    std::string text = countText(loops.size(), "boundary loop") + ", ";
-    for (std::size_t k = 0; k < std::min(loops.size(), shown); ++k)
-        text += (k == 0 ? "" : ", ") + roundedText(loops[k].length) + " long (at vertex " +
-                std::to_string(loops[k].vertex.idx()) + ")";
-    return text + (loops.size() > shown ? " and " + std::to_string(loops.size() - shown) + " more" : "");
+    const auto textOf = [](const BoundaryLoop& loop) {
+        return roundedText(loop.length) + " long (at vertex " + std::to_string(loop.vertex.idx()) + ")";
+    };
+    const auto first = std::span(loops).first(std::min(loops.size(), shown));
+    return countText(loops.size(), "boundary loop") + ", " + joined(first, ", ", textOf) +
+           (loops.size() > shown ? " and " + std::to_string(loops.size() - shown) + " more" : "");
 }
 
 } // namespace

@@ -1,7 +1,10 @@
 #include "cli/tools/repair_text.h"
 
+#include "base/joined.h"
+
 #include <initializer_list>
 #include <utility>
+#include <vector>
 
 namespace qm {
 namespace {
@@ -9,10 +12,10 @@ namespace {
 using Count = std::pair<std::size_t, const char*>;
 
 std::string listOf(std::initializer_list<Count> counts) {
-    std::string list;
+    std::vector<std::string> texts;
     for (const auto& [count, what] : counts)
-        if (count > 0) list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + what;
-    return list;
+        if (count > 0) texts.push_back(std::to_string(count) + " " + what);
+    return joined(texts);
 }
 
 } // namespace

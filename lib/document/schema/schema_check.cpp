@@ -1,6 +1,7 @@
 #include "document/schema/schema_check.h"
 
 #include "base/error.h"
+#include "base/joined.h"
 #include "document/schema/schema.h"
 #include "document/schema/schema_violation.h"
 #include "document/schema/shown_elements.h"
@@ -48,10 +49,7 @@ Place follow(const Json& root, const Json& schema, const std::vector<std::string
 
 std::string listOf(const Json& names) {
     if (!names.is_array()) return names.is_string() ? names.get<std::string>() : names.dump();
-    std::string text;
-    for (const Json& name : names)
-        text += (text.empty() ? "" : " or ") + listOf(name);
-    return text;
+    return joined(names, " or ", listOf);
 }
 
 std::string withSmallStart(std::string text) {
