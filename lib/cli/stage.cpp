@@ -21,41 +21,41 @@ Stage::Stage(Tool& tool, Kind reads, Kind earliest, Kind writes) : Stage(tool, r
     tool.schema(kindName(writes));
 }
 
-void Stage::parse(std::string_view bytes, const std::string& path, const std::string& name, Kind earliest) {
+void Stage::parse(std::string_view bytes, const std::string& path, Kind earliest) {
     document_ = parseDocument(bytes, path);
-    const Kind kind = requireKind(document_, earliest);
-    const std::string place = name + ": ";
-    for (const std::string& sentence : misspeltKeys(document_.root, kindName(kind)))
-        tool_.warn(place + sentence);
+    warnOf(misspeltKeys(document_.root, kindName(requireKind(document_, earliest))));
+}
+
+void Stage::warnOf(const std::vector<std::string>& sentences) const {
+    for (const std::string& sentence : sentences)
+        tool_.warn(displayName(document_.path).append(": ").append(sentence));
 }
 
 const Model& Stage::read(Kind earliest, Kind reads) {
-    parse(tool_.readInput(), tool_.inputPath(), tool_.inputName(), earliest);
-    return take(readModel(document_, reads, meshPath_), tool_.inputName());
+    parse(tool_.readInput(), tool_.inputPath(), earliest);
+    return take(readModel(document_, reads, meshPath_));
 }
 
 const Model& Stage::readWhole() {
-    parse(tool_.readInput(), tool_.inputPath(), tool_.inputName(), earliest_);
-    return take(readWholeModel(document_, meshPath_), tool_.inputName());
+    parse(tool_.readInput(), tool_.inputPath(), earliest_);
+    return take(readWholeModel(document_, meshPath_));
 }
 
 const Model& Stage::readAnother(const std::string& path, const Document& before) {
-    parse(readFile(path), path, path, earliest_);
+    parse(readFile(path), path, earliest_);
     const auto meshOf = [](const Document& document) { return JsonPlace(document.root)["mesh"]["sha256"]; };
-    inFile(path, [&] {
+    inFile(displayName(path), [&] {
         if (meshOf(document_).text() != meshOf(before).text())
-            meshOf(document_).fail("is of another mesh than " + before.path,
+            meshOf(document_).fail("is of another mesh than " + displayName(before.path),
                                    "Give documents that were made from one mesh");
     });
-    return take(readModel(document_, reads_, meshPath_), path);
+    return take(readModel(document_, reads_, meshPath_));
 }
 
-const Model& Stage::take(Model model, const std::string& name) {
+const Model& Stage::take(Model model) {
     model_ = std::move(model);
     tool_.protect(model_.meshPath);
-    const std::string place = name + ": ";
-    for (const std::string& note : model_.notes)
-        tool_.warn(place + note);
+    warnOf(model_.notes);
     tool_.count("vertices", model_.mesh.n_vertices());
     tool_.count("faces", model_.mesh.n_faces());
     return model_;

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace qm {
 
@@ -50,8 +51,9 @@ public:
 
 private:
     const Model& read(Kind earliest, Kind reads);
-    void parse(std::string_view bytes, const std::string& path, const std::string& name, Kind earliest);
-    const Model& take(Model model, const std::string& name);
+    void parse(std::string_view bytes, const std::string& path, Kind earliest);
+    void warnOf(const std::vector<std::string>& sentences) const;
+    const Model& take(Model model);
     void writeSection(Json options, Json section);
 
     Tool& tool_;

@@ -1,6 +1,6 @@
 #include "document/summary_json.h"
 
-#include "document/options/options.h"
+#include "document/options/options_json.h"
 #include "document/sections/surfaces_section.h"
 
 namespace qm {
@@ -39,14 +39,13 @@ FitOptions recordedFit(const JsonPlace& history) {
     for (const JsonPlace& step : history.elements()) {
         if (step["tool"].value() != "qm-bspline") continue;
         const JsonPlace options = step["options"];
-        if (const auto name = options.find("fit"))
-            if (!choiceValue(name->text(), fit.fit)) name->fail("is no kind of fit");
+        if (const auto name = options.find("fit")) readChoice(*name, fit.fit);
         if (const auto rho = options.find("rho")) fit.rho = rho->number();
         const auto tolerance = options.find("tolerance");
         if (!tolerance) continue;
-        if (tolerance->value().is_number())
-            fit.tolerance = {tolerance->number(), false};
-        else if (!parseLength(tolerance->text(), fit.tolerance))
+        const bool isNumber = tolerance->value().is_number();
+        if (isNumber) fit.tolerance = {tolerance->number(), false};
+        if ((!isNumber && !parseLength(tolerance->text(), fit.tolerance)) || fit.tolerance.value <= 0)
             tolerance->fail("is no tolerance");
     }
     return fit;

@@ -46,6 +46,12 @@ is() { assert_equal "$(field "$1" out.json)" true; }
         "$(field '.enumeration.subMeshes[0].cost * 1e6 | round' out.json)"
 }
 
+@test "a list that cannot be written is refused before the search" {
+    complains qm-enum "$(stage basecomplex cube)" --all all.jsonl --list missing/best.jsonl -o out.json
+    assert_regex "$stderr" 'there is no folder missing'
+    assert [ ! -e all.jsonl ]
+}
+
 @test "the paper's algorithms find the optimum too" {
     # Very small: the naive one tries all positions of all particles.
     qm-shape random-open --voxels 2 --resolution 1 -o small.obj

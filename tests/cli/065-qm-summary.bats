@@ -67,6 +67,14 @@ figures() { run --separate-stderr qm-summary --json "$@"; }
     assert_line --regexp '^deviation +[0-9.]+ cm$'
 }
 
+@test "a tolerance that is none is refused" {
+    for none in -1 0 '"-1%"' '"much"'; do
+        jq "(.history[] | select(.tool == \"qm-bspline\") | .options.tolerance) = $none" "$(stage surfaces block)" >wrong.json
+        complains qm-summary --mesh "$(sample block)" wrong.json
+        assert_regex "$stderr" '/history/[0-9]/options/tolerance: is no tolerance'
+    done
+}
+
 @test "a place that is on no patch is refused" {
     jq '.surfaces.farthest.patch = 99' "$(stage surfaces block)" >wrong.json
     complains qm-summary --mesh "$(sample block)" wrong.json

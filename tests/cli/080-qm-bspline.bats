@@ -184,6 +184,8 @@ is() { assert_equal "$(field "$1" out.json)" true; }
 @test "--rank compares layouts of one mesh, and nothing but --rank takes several" {
     complains qm-bspline --rank "$(stage pruned block)" "$(stage pruned torus)" -o out.json
     assert_regex "$stderr" 'is of another mesh than'
+    complains qm-bspline --rank "$(stage pruned block)" - -o out.json <"$(stage pruned torus)"
+    assert_regex "$stderr" 'standard input: /mesh/sha256: is of another mesh than'
     misused qm-bspline "$(stage pruned block)" "$(stage pruned block)" -o out.json
     assert_regex "$stderr" 'several layouts are for --rank to choose from'
     misused qm-bspline --fit interpolate --rank "$(stage pruned block)" -o out.json

@@ -49,6 +49,8 @@ fit() {
     assert_output --partial "part.json"
     run -1 qm-bspline part.json --reference missing.stl -o out.json
     assert_output --partial "missing.stl"
+    run -1 qm-bspline part.json --reference - -o out.json </dev/null
+    assert_output --partial "standard input: the file is empty"
     awk '/^v /{print "v", $2 + 1000, $3, $4; next} {print}' part.obj > far.obj
     run -1 qm-bspline part.json --reference far.obj -o out.json
     assert_output --partial "same place and unit"

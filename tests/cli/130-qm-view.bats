@@ -155,6 +155,12 @@ EOF
     assert [ ! -e block.png ]
 }
 
+@test "where a picture cannot be written, no page is, either" {
+    complains qm-view "$(stage layout block)" --png missing/part.png -o part.html
+    assert_regex "$stderr" 'there is no folder missing'
+    assert [ ! -e part.html ]
+}
+
 @test "bad options are usage errors, missing layers are named" {
     misused qm-view --png block.png --size 10 "$(stage layout block)"
     misused qm-view --png block.png --size 5x5 "$(stage layout block)"

@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 
+#include <cerrno>
+#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <spawn.h>
@@ -18,6 +20,7 @@ constexpr int heldSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 /// Starts a program in a process group of its own.
 /// \return 0 if there is no such program
+/// \throw Error  if it cannot be started for another reason
 pid_t start(std::vector<std::string>& words, const sigset_t& signals, const std::string& output) {
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
@@ -39,7 +42,9 @@ pid_t start(std::vector<std::string>& words, const sigset_t& signals, const std:
         posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
-    return problem == 0 ? process : 0;
+    if (problem == 0) return process;
+    if (problem == ENOENT || problem == EACCES) return 0;
+    throw Error(words.front(), std::string("cannot be started: ") + std::strerror(problem));
 }
 
 sigset_t heldSet() {

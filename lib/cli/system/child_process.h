@@ -40,6 +40,7 @@ private:
 /// \param output    the file for what the program prints
 /// \param patience  no limit if empty
 /// \return false if there is no such program
+/// \throw Error  if it cannot be started for another reason
 [[nodiscard]] bool runProgram(std::vector<std::string> words, const HeldSignals& signals,
                               const std::string& output = "/dev/null",
                               std::optional<std::chrono::seconds> patience = {});

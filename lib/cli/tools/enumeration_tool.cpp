@@ -53,11 +53,17 @@ void verifyParts(const Tool& tool, const EnumerationRequests& requests, Enumerat
             throw UsageError("--" + name + " does not go with --" + (requests.join ? "join" : "part"));
 }
 
+/// \throw FileError  if no graphs can be written to a file, which a long search should not end with
+void requireWritable(const Tool& tool, const std::string& file) {
+    if (file.empty()) return;
+    if (file != "-" && isSameFile(file, tool.inputPath()))
+        throw FileError(file, "is the input", "Name another file");
+    verifyWritable(file);
+}
+
 void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
                  const std::string& path, ListedGraphs which) {
     const bool areBest = which == ListedGraphs::best;
-    if (path != "-" && isSameFile(path, tool.inputPath()))
-        throw FileError(path, "is the input", "Name another file");
     const SeparatrixIndex separatrices(model.mesh, model.baseComplex);
     OutputFile file(path);
     std::size_t written = 0;
@@ -130,6 +136,8 @@ int joinParts(const Tool& tool, const EnumerationRequests& requests) {
 
 Enumeration searchGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
                          const EnumerationRequests& requests) {
+    requireWritable(tool, requests.allGraphs);
+    requireWritable(tool, requests.bestGraphs);
     const Control control = tool.control("searching");
     const Deadline end(control, options.timeLimit);
     int steps = 1 + (requests.allGraphs.empty() ? 0 : 1) + (requests.bestGraphs.empty() ? 0 : 1);

@@ -32,7 +32,7 @@ ScanInput readScanInput(const Tool& tool, const std::string& path) {
     ScanInput input;
     if (path.empty()) return input;
     tool.protect(path);
-    inFile(path, [&] {
+    inFile(displayName(path), [&] {
         requireUtf8Name(path);
         const std::string bytes = readFile(path);
         input.file = {path, sha256(bytes)};

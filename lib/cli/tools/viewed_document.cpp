@@ -36,21 +36,21 @@ Viewed viewedOf(const Document& document, const Model& model, LengthUnit unit) {
 
 } // namespace
 
-ViewedDocuments::ViewedDocuments(const Tool& tool, Stage& stage, const std::string& other,
-                                 const std::string& reference, LengthUnit unit)
-    : tool_(tool), unit_(unit) {
-    if (!other.empty()) {
+ViewedDocuments::ViewedDocuments(const Tool& tool, Stage& stage, const ViewRequest& request)
+    : tool_(tool), unit_(request.unit) {
+    if (const std::string& other = request.compare; !other.empty()) {
         other_ = parseDocument(readFile(other), other);
         otherModel_ = readWholeModel(other_);
         tool.protect(other, "is the document that is compared");
         tool.protect(otherModel_.meshPath);
         for (const std::string& note : otherModel_.notes)
-            tool.warn(std::string(other).append(": ").append(note));
+            tool.warn(displayName(other).append(": ").append(note));
         parts_.push_back({&other_, &otherModel_, readRecordedScan(tool, other_, "")});
     }
     const Model& model = stage.readWhole();
     tool.protectInput();
-    parts_.push_back({&stage.document(), &model, readRecordedScan(tool, stage.document(), reference)});
+    parts_.push_back(
+        {&stage.document(), &model, readRecordedScan(tool, stage.document(), request.reference)});
 }
 
 std::vector<Scene> ViewedDocuments::scenes(std::optional<std::size_t> maxPoints) const {

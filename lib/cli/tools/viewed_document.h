@@ -3,7 +3,7 @@
 
 #include "bspline/reference/scan/triangle_surface.h"
 #include "cli/stage.h"
-#include "cli/tools/export_choices.h"
+#include "cli/tools/view_request.h"
 #include "view/scene.h"
 
 #include <cstddef>
@@ -17,11 +17,7 @@ namespace qm {
 class ViewedDocuments {
 public:
     /// Reads the documents.
-    /// \param other      the file of the other document; empty if there is none
-    /// \param reference  the scan of the tool's document, if not the recorded one; may be empty
-    /// \param unit       of the meshes
-    ViewedDocuments(const Tool& tool, Stage& stage, const std::string& other, const std::string& reference,
-                    LengthUnit unit);
+    ViewedDocuments(const Tool& tool, Stage& stage, const ViewRequest& request);
     ViewedDocuments(const ViewedDocuments&) = delete;
     ViewedDocuments& operator=(const ViewedDocuments&) = delete;
 
