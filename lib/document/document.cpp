@@ -1,27 +1,14 @@
 #include "document/document.h"
 
-#include "base/positions.h"
 #include "document/files/files.h"
 #include "document/schema/schema_check.h"
 #include "document/version.h"
 
 #include <algorithm>
-#include <array>
 
 namespace qm {
 
 namespace {
-
-constexpr std::array<Kind, 6> allKinds{Kind::basecomplex, Kind::features, Kind::cut,
-                                       Kind::enumeration, Kind::layout,   Kind::surfaces};
-
-/// The tools of the pipe, in order.
-constexpr std::array<std::string_view, 7> tools{"qm-basecomplex", "qm-features", "qm-cut",    "qm-enum",
-                                                "qm-merge",       "qm-prune",    "qm-bspline"};
-
-std::size_t rankOf(std::string_view tool) {
-    return positionIn(tools, std::ranges::find(tools, tool));
-}
 
 Kind readKind(const Json& root) {
     const JsonPlace place(root);
@@ -71,15 +58,15 @@ void putSection(Document& document, StageEntry entry) {
     for (const Kind later : allKinds)
         if (later > entry.kind) root.erase(sectionOf(later));
 
-    // The entry of an earlier run of the same tool is replaced; only pruning adds to earlier pruning.
-    const std::size_t rank = rankOf(entry.tool);
-    const std::size_t first = entry.tool == "qm-prune" ? rank + 1 : rank;
+    // A section's tool replaces the entry of its earlier run; only pruning adds to merging and earlier
+    // pruning.
+    const auto isKept = [&entry](const Json& step) {
+        const std::optional<Kind> kind = kindWrittenBy(step.value("tool", ""));
+        return !kind || *kind < entry.kind || (*kind == entry.kind && entry.tool == "qm-prune");
+    };
     Json history = Json::array();
-    if (root.contains("history"))
-        for (Json& step : root["history"]) {
-            const std::size_t stepRank = rankOf(step.value("tool", ""));
-            if (stepRank < first || stepRank == tools.size()) history.push_back(std::move(step));
-        }
+    for (Json& step : root["history"])
+        if (isKept(step)) history.push_back(std::move(step));
     history.push_back({{"tool", entry.tool}, {"version", version()}, {"options", std::move(entry.options)}});
     root["history"] = std::move(history);
 }

@@ -2,8 +2,6 @@
 
 #include "base/at.h"
 
-#include <array>
-
 namespace qm {
 
 namespace {
@@ -14,12 +12,12 @@ struct KindEntry {
     const char* tool;
 };
 
-constexpr std::array<KindEntry, 6> entries{{{"basecomplex", "baseComplex", "qm-basecomplex"},
-                                            {"features", "features", "qm-features"},
-                                            {"cut", "cut", "qm-cut"},
-                                            {"enumeration", "enumeration", "qm-enum"},
-                                            {"layout", "layout", "qm-merge"},
-                                            {"surfaces", "surfaces", "qm-bspline"}}};
+constexpr std::array<KindEntry, allKinds.size()> entries{{{"basecomplex", "baseComplex", "qm-basecomplex"},
+                                                          {"features", "features", "qm-features"},
+                                                          {"cut", "cut", "qm-cut"},
+                                                          {"enumeration", "enumeration", "qm-enum"},
+                                                          {"layout", "layout", "qm-merge"},
+                                                          {"surfaces", "surfaces", "qm-bspline"}}};
 
 const KindEntry& entryOf(Kind kind) {
     return entries[at(kind)];
@@ -38,8 +36,15 @@ const char* toolOf(Kind kind) {
 }
 
 std::optional<Kind> kindOfName(std::string_view name) {
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        if (name == entries.at(i).name) return static_cast<Kind>(i);
+    for (const Kind kind : allKinds)
+        if (name == entryOf(kind).name) return kind;
+    return {};
+}
+
+std::optional<Kind> kindWrittenBy(std::string_view tool) {
+    if (tool == "qm-prune") return Kind::layout;
+    for (const Kind kind : allKinds)
+        if (tool == entryOf(kind).tool) return kind;
     return {};
 }
 
