@@ -7,7 +7,7 @@
 #include "export/faces/separate.h"
 #include "export/files/shape.h"
 #include "mesh/bounding_box.h"
-#include "support/fitted_model.h"
+#include "support/exported_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,6 @@
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
 #include <IGESControl_Reader.hxx>
-#include <STEPControl_Reader.hxx>
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -27,7 +26,6 @@
 #include <fstream>
 #include <numbers>
 #include <regex>
-#include <sstream>
 #include <tuple>
 
 namespace qm {
@@ -36,6 +34,7 @@ namespace {
 using test::fitted;
 using test::glued;
 using test::Grid;
+using test::readStep;
 using test::sheet;
 using test::tJoint;
 using test::torus;
@@ -162,14 +161,6 @@ std::string exported(const Model& model, ExportFormat format, const ExportOption
     ExportOptions options = more;
     options.format = format;
     return exportModel(model.mesh, model.layout, &model.surfaces, options).bytes;
-}
-
-TopoDS_Shape readStep(const std::string& text) {
-    STEPControl_Reader reader;
-    std::istringstream stream(text);
-    EXPECT_EQ(reader.ReadStream("shape.step", stream), IFSelect_RetDone);
-    EXPECT_GT(reader.TransferRoots(), 0);
-    return reader.OneShape();
 }
 
 TopoDS_Shape readIges(const std::string& text) {
