@@ -1,10 +1,9 @@
 #include "mesh/dihedral.h"
 
 #include "base/at.h"
+#include "mesh/angle_between.h"
 #include "mesh/quad_geometry.h"
 #include "mesh/topology.h"
-
-#include <cmath>
 
 namespace qm {
 
@@ -18,7 +17,7 @@ std::vector<double> dihedralAngles(const QuadMesh& mesh) {
         if (mesh.is_boundary(edge)) continue;
         const auto [left, right] = facesBeside(mesh, edge);
         if (const auto& a = normals[at(left)], &b = normals[at(right)]; a && b)
-            angles[at(edge)] = std::atan2((*a % *b).norm(), *a | *b);
+            angles[at(edge)] = angleBetween(*a, *b);
     }
     return angles;
 }

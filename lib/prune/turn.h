@@ -1,11 +1,10 @@
 /// \file The angle by which a border turns at a vertex (docs/METHOD.md#pruning, smoothness).
 #pragma once
 
+#include "mesh/angle_between.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>
-#include <cmath>
-#include <numbers>
 
 namespace qm {
 
@@ -22,7 +21,7 @@ namespace qm {
     const Point vertex = mesh.point(mesh.from_vertex_handle(left));
     const Point before = vertex - mesh.point(mesh.to_vertex_handle(left)),
                 after = mesh.point(mesh.to_vertex_handle(right)) - vertex;
-    return std::atan2((before % after).norm(), before | after) * 180 / std::numbers::pi;
+    return degreesBetween(before, after);
 }
 
 } // namespace qm

@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "base/infinity.h"
 #include "bspline/splines/bezier_extraction.h"
+#include "mesh/angle_between.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ constexpr double nearEnd = 1.0 / 200; ///< of an edge: far enough from where a p
 void add(const SurfacePoint& a, const SurfacePoint& b, MeetingMeasures& measures) {
     measures.gap = std::max(measures.gap, (a.position - b.position).norm());
     const auto normal = unitNormal(a.du, a.dv), other = unitNormal(b.du, b.dv);
-    measures.angles.push_back(normal && other ? angleInDegrees(*normal, *other) : 0);
+    measures.angles.push_back(normal && other ? degreesBetween(*normal, *other) : 0);
 }
 
 } // namespace

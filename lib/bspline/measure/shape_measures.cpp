@@ -3,6 +3,7 @@
 #include "bspline/measure/gauss_points.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/evaluate.h"
+#include "mesh/angle_between.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,7 @@ ShapeMeasures measureShape(const PairedSurfaces& surfaces, std::size_t patch) {
                 const auto own = surface.at(place.u, place.v);
                 const auto other = reference.at(place.u, place.v);
                 if (!own || !other) continue;
-                const double angle = angleInDegrees(point(own->normal), point(other->normal));
+                const double angle = degreesBetween(point(own->normal), point(other->normal));
                 ShapeMeasures here;
                 here.largestNormalDeviation = angle;
                 here.squaredNormalDeviation = place.area * angle * angle;

@@ -1,6 +1,7 @@
 #include "bspline/network/vertex_fan.h"
 
 #include "base/at.h"
+#include "mesh/angle_between.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +84,7 @@ std::optional<std::vector<double>> balancedRatios(const QuadMesh& mesh, const Ve
     std::vector<double> angles;
     for (std::size_t k = 0; k < sector.size; ++k) {
         if (fan.faces[(sector.begin + k) % count] != 1) return std::nullopt;
-        angles.push_back(std::atan2((edge(k) % edge(k + 1)).norm(), edge(k) | edge(k + 1)));
+        angles.push_back(angleBetween(edge(k), edge(k + 1)));
         if (!(std::sin(angles.back()) > minSine)) return std::nullopt;
     }
     std::vector<double> lengths(sector.size + 1, 1);

@@ -3,9 +3,6 @@
 #include "base/at.h"
 #include "bspline/splines/eigen_point.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace qm {
 namespace {
 
@@ -112,10 +109,6 @@ std::optional<Point> unitNormal(const Point& du, const Point& dv) {
     constexpr double rounding = 1e-12; // of a sine: parallel derivatives leave nothing else
     if (!(length > rounding * du.norm() * dv.norm())) return std::nullopt;
     return normal / length;
-}
-
-double angleInDegrees(const Point& a, const Point& b) {
-    return std::atan2((a % b).norm(), (a | b) + 0.0) * 180 / std::numbers::pi; // -0 would be half a turn
 }
 
 } // namespace qm

@@ -43,7 +43,4 @@ struct SurfacePoint {
 /// Unit length, on the side from which u turns to v counter-clockwise; none where the patch is degenerate.
 [[nodiscard]] std::optional<Point> unitNormal(const Point& du, const Point& dv);
 
-/// Angle between two unit vectors, in degrees.
-[[nodiscard]] double angleInDegrees(const Point& a, const Point& b);
-
 } // namespace qm
