@@ -92,10 +92,9 @@ double certifiable(double allowed) {
 /// The fit within a tolerance, verified by certified measurements.
 std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, const FitReference& reference,
                                  double allowed, const Control& control) {
-    const std::vector<ReferenceGrid>& grids = reference.target.grids;
     const double limit = certifiable(allowed);
     const Verification verify = [&](const std::vector<Patch>& patches) {
-        auto found = maxDeviations(mesh, layout, patches, grids, limit, control.jobs);
+        auto found = maxDeviations({mesh, layout, patches, reference.target.grids}, limit, control.jobs);
         for (double& distance : found)
             distance /= limit;
         return found;
@@ -156,7 +155,7 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     isSmooth.flip();
     const double negligible = std::min(measureNegligible * diagonal, certifiable(allowed));
     addMeasurement(
-        measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, negligible, control.jobs),
+        measureSurfaces({mesh, layout, surfaces.patches, target.grids}, isSmooth, negligible, control.jobs),
         surfaces);
     if (scan != nullptr)
         surfaces.scan = {deviationFromScan(surfaces.patches, *scan, target.maxDistance,

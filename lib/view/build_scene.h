@@ -31,8 +31,9 @@ struct Viewed {
     const Surfaces* surfaces = nullptr;
     const TriangleSurface* scan = nullptr; ///< that the surfaces were fitted to, if it can be read
     std::optional<double> tolerance;       ///< that the surfaces were to keep to, a length
-    double rho = 0;          ///< radians; borders up to this dihedral angle were to become smooth
-    std::string unit = "mm"; ///< of the mesh
+    double rho = 0;            ///< radians; borders up to this dihedral angle were to become smooth
+    double maxNormalAngle = 0; ///< degrees; what is allowed between normals across smooth borders
+    std::string unit = "mm";   ///< of the mesh
     /// Points that stand for all surfaces: few enough to be drawn without a graphics card.
     static constexpr std::size_t usualPoints = 120'000;
     std::size_t maxPoints = usualPoints;

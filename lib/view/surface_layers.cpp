@@ -81,11 +81,10 @@ LineLayer borderCurves(const std::vector<Segment>& segments, const Lattice& latt
 
 /// The smooth borders, each as long as a mesh edge.
 LineLayer smoothBorders(const Viewed& viewed, const Lattice& lattice, const BorderMarks& marks) {
-    constexpr double limit = 1; // degree, as in qm-summary
     LineLayer jumps = newLines("jumps", "normal angle across smooth borders", "piece of a smooth border", "");
     jumps.base = Base::surfaces;
     jumps.mapped = {Scale::rising,           {},       "angle between normals, degrees",
-                    "angle between normals", "\u00b0", limit};
+                    "angle between normals", "\u00b0", viewed.maxNormalAngle};
     const auto borders = borderEdges(viewed.mesh, *viewed.layout);
     const auto angles = normalAngles(viewed.mesh, *viewed.layout, viewed.surfaces->patches, borders, marks);
     for (std::size_t k = 0; k < borders.size(); ++k) {
@@ -138,8 +137,8 @@ Mapped deviationOf(const Viewed& viewed, const FitTarget* target, std::size_t st
     if (target != nullptr) {
         mapped.quantity = viewed.scan != nullptr ? "distance from the scan without its noise"
                                                  : "distance from the mesh's smooth surface";
-        distances = distancesFromReference(viewed.mesh, *viewed.layout, viewed.surfaces->patches,
-                                           target->grids, steps, jobs);
+        distances = distancesFromReference(
+            {viewed.mesh, *viewed.layout, viewed.surfaces->patches, target->grids}, steps, jobs);
     } else {
         mapped.quantity = "largest distance of the patch from the scan without its noise";
         for (const Deviation& deviation : viewed.surfaces->ofPatch)

@@ -52,16 +52,14 @@ std::size_t latticeSteps(std::size_t faces, std::size_t maxPoints) {
     return static_cast<std::size_t>(std::clamp(std::floor(std::sqrt(ofFace)), 1.0, finest));
 }
 
-std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& layout,
-                                           const std::vector<Patch>& patches,
-                                           const std::vector<ReferenceGrid>& reference, std::size_t steps,
+std::vector<double> distancesFromReference(const MeasuredSurfaces& surfaces, std::size_t steps,
                                            unsigned jobs) {
     constexpr std::size_t referenceSide = 1;
-    const auto borders = borderEdges(mesh, layout);
-    const PairedSurfaces surfaces(layout, patches, reference, borders, jobs);
-    return ofAllPatches(patches.size(), jobs, [&](std::size_t k) {
-        FootSearch search(surfaces);
-        const auto [columns, points] = latticeOf(patches[k], steps);
+    const auto borders = borderEdges(surfaces.mesh, surfaces.layout);
+    const PairedSurfaces pairs(surfaces.layout, surfaces.patches, surfaces.references, borders, jobs);
+    return ofAllPatches(surfaces.patches.size(), jobs, [&](std::size_t k) {
+        FootSearch search(pairs);
+        const auto [columns, points] = latticeOf(surfaces.patches[k], steps);
         const auto at = [&](std::size_t number) {
             return static_cast<double>(number) / static_cast<double>(steps);
         };

@@ -1,9 +1,9 @@
 /// \file What is measured of surfaces at many places, for the eye.
 #pragma once
 
+#include "bspline/measure/measure.h"
 #include "bspline/network/borders.h"
 #include "bspline/network/smooth_network.h"
-#include "bspline/reference/lattice/reference_grid.h"
 #include "bspline/reference/scan/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
@@ -21,10 +21,8 @@ namespace qm {
 /// fitted to.
 /// \param steps  lattice points for every mesh edge
 /// \param jobs  threads; the result does not depend on them
-[[nodiscard]] std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& layout,
-                                                         const std::vector<Patch>& patches,
-                                                         const std::vector<ReferenceGrid>& reference,
-                                                         std::size_t steps, unsigned jobs);
+[[nodiscard]] std::vector<double> distancesFromReference(const MeasuredSurfaces& surfaces, std::size_t steps,
+                                                         unsigned jobs);
 
 /// The same from the triangles of a scan, noise and all; NaN where the scan shows nothing.
 /// \param cutOff  distance beyond which the scan says nothing of the surfaces

@@ -39,13 +39,13 @@ struct Parts {
 
 class Meter {
 public:
-    Meter(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
-          const std::vector<ReferenceGrid>& references, unsigned jobs)
-        : mesh_(mesh), layout_(layout), patches_(patches), references_(references), jobs_(jobs),
-          diagonal_(boundingBox(mesh).diagonal()), borders_(borderEdges(mesh, layout)),
-          facets_(facetGrids(mesh, layout)), toReference_(layout, patches, references, borders_, jobs),
-          toFacets_(layout, patches, facets_, borders_, jobs), parts_(patches.size()) {
-        result_.ofPatch.resize(patches.size());
+    Meter(const MeasuredSurfaces& surfaces, unsigned jobs)
+        : mesh_(surfaces.mesh), layout_(surfaces.layout), patches_(surfaces.patches),
+          references_(surfaces.references), jobs_(jobs), diagonal_(boundingBox(mesh_).diagonal()),
+          borders_(borderEdges(mesh_, layout_)), facets_(facetGrids(mesh_, layout_)),
+          toReference_(layout_, patches_, references_, borders_, jobs),
+          toFacets_(layout_, patches_, facets_, borders_, jobs), parts_(patches_.size()) {
+        result_.ofPatch.resize(patches_.size());
     }
 
     void certify(double negligible) {
@@ -183,23 +183,20 @@ private:
 
 } // namespace
 
-Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
-                            const std::vector<ReferenceGrid>& references, const std::vector<bool>& isSmooth,
+Measurement measureSurfaces(const MeasuredSurfaces& surfaces, const std::vector<bool>& isSmooth,
                             double negligible, unsigned jobs) {
-    Meter meter(mesh, layout, patches, references, jobs);
+    Meter meter(surfaces, jobs);
     meter.certify(negligible);
-    parallelFor(patches.size(), jobs, [&](std::size_t k) { meter.measurePatch(k); });
+    parallelFor(surfaces.patches.size(), jobs, [&](std::size_t k) { meter.measurePatch(k); });
     meter.measureBorders(isSmooth);
     return meter.finish();
 }
 
-std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
-                                  const std::vector<Patch>& patches,
-                                  const std::vector<ReferenceGrid>& references, double limit, unsigned jobs) {
-    const std::vector<BorderEdge> borders = borderEdges(mesh, layout);
-    const PairedSurfaces pairs(layout, patches, references, borders, jobs);
+std::vector<double> maxDeviations(const MeasuredSurfaces& surfaces, double limit, unsigned jobs) {
+    const std::vector<BorderEdge> borders = borderEdges(surfaces.mesh, surfaces.layout);
+    const PairedSurfaces pairs(surfaces.layout, surfaces.patches, surfaces.references, borders, jobs);
     constexpr double closing = 0.05; // a rough bound will do above the limit
-    std::vector<double> result(patches.size());
+    std::vector<double> result(surfaces.patches.size());
     parallelFor(result.size(), jobs, [&](std::size_t k) {
         result[k] = certifiedDeviation(pairs, k, {.closing = closing, .negligible = limit}).upper;
     });

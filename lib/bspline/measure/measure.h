@@ -16,6 +16,14 @@ constexpr double measureClosing = 0.02;
 /// or are below this share of the bounding box's diagonal, and within the tolerance.
 constexpr double measureNegligible = 1e-5;
 
+/// What is measured; references are by patch, like the patches.
+struct MeasuredSurfaces {
+    const QuadMesh& mesh;
+    const Layout& layout;
+    const std::vector<Patch>& patches;
+    const std::vector<ReferenceGrid>& references;
+};
+
 struct PatchMeasurement {
     Deviation deviation;   ///< borders count for both neighbours
     double lowerBound = 0; ///< the largest distance from the reference that was found at a point
@@ -30,19 +38,13 @@ struct Measurement {
 
 /// Measures the deviations from the reference, from the quads and from the vertices, and borders, inner
 /// lines, folds and fairness. Linear in the mesh; about 10 microseconds per quad.
-/// \param references  by patch
 /// \param isSmooth    by edge: whether normals are compared across it
 /// \param negligible  distances below this need not be told apart
-[[nodiscard]] Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout,
-                                          const std::vector<Patch>& patches,
-                                          const std::vector<ReferenceGrid>& references,
-                                          const std::vector<bool>& isSmooth, double negligible,
-                                          unsigned jobs);
+[[nodiscard]] Measurement measureSurfaces(const MeasuredSurfaces& surfaces, const std::vector<bool>& isSmooth,
+                                          double negligible, unsigned jobs);
 
 /// By patch: an upper bound of its distance from its reference, close where it is above a limit.
-[[nodiscard]] std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
-                                                const std::vector<Patch>& patches,
-                                                const std::vector<ReferenceGrid>& references, double limit,
+[[nodiscard]] std::vector<double> maxDeviations(const MeasuredSurfaces& surfaces, double limit,
                                                 unsigned jobs);
 
 } // namespace qm

@@ -31,6 +31,7 @@ Viewed viewedOf(const Document& document, const Model& model, LengthUnit unit) {
                                                                  boundingBox(model.mesh).diagonal()))
                                  : std::nullopt,
             .rho = fit.rho,
+            .maxNormalAngle = Limits{}.maxNormalAngle,
             .unit = std::string(choiceName(unit))};
 }
 

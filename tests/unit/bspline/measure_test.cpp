@@ -18,8 +18,8 @@ using test::Grid;
 
 Measurement measure(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
                     bool smooth = true, unsigned jobs = 1) {
-    return measureSurfaces(mesh, layout, patches, facetGrids(mesh, layout),
-                           std::vector<bool>(mesh.n_edges(), smooth),
+    const std::vector<ReferenceGrid> facets = facetGrids(mesh, layout);
+    return measureSurfaces({mesh, layout, patches, facets}, std::vector<bool>(mesh.n_edges(), smooth),
                            measureNegligible * boundingBox(mesh).diagonal(), jobs);
 }
 

@@ -47,6 +47,7 @@ struct Sheet {
                            .scan = scan ? &*scan : nullptr,
                            .tolerance = 0.02,
                            .rho = rho,
+                           .maxNormalAngle = 1,
                            .unit = "cm"},
                           jobs);
     }
