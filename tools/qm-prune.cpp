@@ -30,8 +30,8 @@ int main(int argc, char** argv) {
                 options.constraints = model.constraints;
                 const double rho = qm::sharpAngle(stage->document().root);
                 const qm::PruneResult pruned =
-                    qm::prune(model.mesh, model.complex, *model.layout, model.dihedralAngles, model.edgeCosts,
-                              options, rho, tool.control("pruning"));
+                    qm::prune({model.mesh, model.complex, model.dihedralAngles, model.edgeCosts},
+                              *model.layout, options, rho, tool.control("pruning"));
                 qm::reportProofs(tool, options, pruned);
                 tool.count("segments", pruned.layout.segments.size());
                 tool.count("removedTracks", pruned.removedTracks);

@@ -75,9 +75,8 @@ void addAnnuli(const QuadMesh& mesh, const std::vector<ArcId>& arcOf, GridProgra
     }
 }
 
-void addSeedLines(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                  const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                  GridProgram& grids) {
+void addSeedLines(const PrunedMesh& pruned, const ArcGraph& graph, GridProgram& grids) {
+    const auto& [mesh, complex, dihedralAngles, edgeCosts] = pruned;
     for (const auto& [faces, arcs] : sourcelessComponents(mesh, complex, graph)) {
         const std::vector<HalfedgeId> line = seedLine(mesh, faces, dihedralAngles);
         // A loop turns a torus into one annulus, or one annulus into two; a line between borders makes one

@@ -16,11 +16,8 @@ namespace qm {
 /// \param arcOf  the arc on every edge; none for edges without a line
 void addAnnuli(const QuadMesh& mesh, const std::vector<ArcId>& arcOf, GridProgram& grids);
 
-/// Adds one column for every component without a source: 1 if the component gets its line, because no arc is
-/// in.
-/// \param dihedralAngles  by edge, like the costs; they determine the line, see `seedLine`
-void addSeedLines(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                  const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                  GridProgram& grids);
+/// Adds one column for every component without a source: 1 if the component gets its line (see `seedLine`),
+/// because no arc is in.
+void addSeedLines(const PrunedMesh& pruned, const ArcGraph& graph, GridProgram& grids);
 
 } // namespace qm

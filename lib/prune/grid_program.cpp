@@ -155,9 +155,9 @@ ColumnValues GridProgram::valuesOf(const PresentArcs& present) const {
     return values;
 }
 
-GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                        const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                        const Layout& layout, const Smoothness& smoothness, const Constraints& constraints) {
+GridProgram gridProgram(const PrunedMesh& pruned, const ArcGraph& graph, const Layout& layout,
+                        const Smoothness& smoothness, const Constraints& constraints) {
+    const auto& [mesh, complex, dihedralAngles, edgeCosts] = pruned;
     GridProgram result;
     result.program.costs = ColumnValues(sumOverArcs(mesh, graph, complex, edgeCosts));
     result.quarters.assign(graph.arcs.size(), 0);
@@ -167,7 +167,7 @@ GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const 
     builder.build(smoothnessRows);
     builder.addDemands(constraints);
     addAnnuli(mesh, arcOf, result);
-    addSeedLines(mesh, complex, graph, dihedralAngles, edgeCosts, result);
+    addSeedLines(pruned, graph, result);
     smoothnessRows.keepEnds(result);
     return result;
 }

@@ -15,6 +15,7 @@
 #include "layout/constraints.h"
 #include "layout/layout.h"
 #include "program/integer_program.h"
+#include "prune/pruned_mesh.h"
 
 #include <utility>
 #include <vector>
@@ -60,9 +61,7 @@ struct GridProgram {
 
 /// \param layout   what it has removed already may stay so, and where its tracks end is where a further
 ///                 removal could make a border turn
-[[nodiscard]] GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                      const std::vector<double>& dihedralAngles,
-                                      const std::vector<double>& edgeCosts, const Layout& layout,
+[[nodiscard]] GridProgram gridProgram(const PrunedMesh& pruned, const ArcGraph& graph, const Layout& layout,
                                       const Smoothness& smoothness, const Constraints& constraints = {});
 
 } // namespace qm

@@ -8,14 +8,15 @@
 
 namespace qm {
 
-ColumnValues valuesOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                      const GridProgram& grids, const Layout& layout) {
-    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, complex);
+ColumnValues valuesOf(const PrunedMesh& pruned, const ArcGraph& graph, const GridProgram& grids,
+                      const Layout& layout) {
+    const QuadMesh& mesh = pruned.mesh;
+    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, pruned.complex);
     std::vector<Track> tracks;
     for (const LayoutTrack& track : layout.tracks)
         if (!track.transversal && arcOf[at(mesh.edge_handle(track.track.halfedges.front()))].valid())
             tracks.push_back(track.track);
-    return grids.valuesOf(presentArcs(mesh, complex, graph, tracks));
+    return grids.valuesOf(presentArcs(mesh, pruned.complex, graph, tracks));
 }
 
 ColumnValues completed(const GridProgram& grids, const ArcGraph& graph, const ColumnValues& solved) {
@@ -25,9 +26,8 @@ ColumnValues completed(const GridProgram& grids, const ArcGraph& graph, const Co
     return grids.valuesOf(present);
 }
 
-Layout layoutOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                const ColumnValues& values, const std::vector<double>& dihedralAngles,
-                const std::vector<double>& edgeCosts) {
+Layout layoutOf(const PrunedMesh& pruned, const ArcGraph& graph, const ColumnValues& values) {
+    const auto& [mesh, complex, dihedralAngles, edgeCosts] = pruned;
     std::vector<Track> tracks;
     const auto isIn = [&](ArcId arc) { return values[GridProgram::columnOf(arc)] > 0.5; };
     for (const Line& line : graph.lines)

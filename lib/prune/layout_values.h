@@ -9,11 +9,11 @@ namespace qm {
 
 /// The values of all columns for a layout.
 /// \param grids   the program of `graph`, likewise below
-/// \param layout  of the same base complex; the line that a component without arcs was given is ignored if it
+/// \param layout  of the same mesh; the line that a component without arcs was given is ignored if it
 /// lies on no arc
 /// \throw Error  if other tracks are not made of whole arcs, see `presentArcs`
-[[nodiscard]] ColumnValues valuesOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                    const GridProgram& grids, const Layout& layout);
+[[nodiscard]] ColumnValues valuesOf(const PrunedMesh& pruned, const ArcGraph& graph, const GridProgram& grids,
+                                    const Layout& layout);
 
 /// The values with the same arcs, and indicators that follow from the arcs. A solver may leave an indicator
 /// without cost at any value that the rows allow.
@@ -21,10 +21,7 @@ namespace qm {
                                      const ColumnValues& solved);
 
 /// The layout whose tracks are the runs of arcs that are in, line by line.
-/// \param dihedralAngles  by edge, like the costs
-[[nodiscard]] Layout layoutOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                              const ColumnValues& values, const std::vector<double>& dihedralAngles,
-                              const std::vector<double>& edgeCosts);
+[[nodiscard]] Layout layoutOf(const PrunedMesh& pruned, const ArcGraph& graph, const ColumnValues& values);
 
 /// For every line, the columns of its arcs in their order.
 [[nodiscard]] std::vector<std::vector<ColumnId>> columnsOfLines(const ArcGraph& graph);

@@ -46,8 +46,7 @@ PruneResult pruneToOptimum(PruningSearch& search, const PruneOptions& options, d
 }
 
 /// Layouts for a range of prices, from many segments to few.
-std::vector<FrontPoint> findFront(PruningSearch& search, const QuadMesh& mesh,
-                                  const std::vector<double>& dihedralAngles, double rho, double seconds,
+std::vector<FrontPoint> findFront(PruningSearch& search, const PrunedMesh& pruned, double rho, double seconds,
                                   const Control& control) {
     const Deadline end(control, seconds);
     std::vector<FrontPoint> front;
@@ -56,7 +55,7 @@ std::vector<FrontPoint> findFront(PruningSearch& search, const QuadMesh& mesh,
         const PruningSearch::Found found =
             search.findCheapest({beta}, std::min(end.secondsLeft(), seconds) / left);
         const Layout layout = search.layoutOf(found.values);
-        const LayoutQuality quality = measureLayout(mesh, layout, dihedralAngles, rho);
+        const LayoutQuality quality = measureLayout(pruned.mesh, layout, pruned.dihedralAngles, rho);
         addToFront(front, {beta, quality.segments, layout.cost, quality.capturedSharpness, found.lowerBound,
                            found.proven});
     }
@@ -64,19 +63,18 @@ std::vector<FrontPoint> findFront(PruningSearch& search, const QuadMesh& mesh,
     return front;
 }
 
-PruneResult pruneFrom(const Layout& layout, const QuadMesh& mesh, const BaseComplex& complex,
-                      const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                      const PruneOptions& options, double rho, const Control& control) {
+PruneResult pruneFrom(const Layout& layout, const PrunedMesh& pruned, const PruneOptions& options, double rho,
+                      const Control& control) {
     const bool greedy = options.method == PruneMethod::greedy;
     PruneResult result;
-    if (greedy) result = pruneLayout(mesh, layout, dihedralAngles, edgeCosts, options, control);
+    if (greedy)
+        result = pruneLayout(pruned.mesh, layout, pruned.dihedralAngles, pruned.edgeCosts, options, control);
     if (greedy && !options.front) return result;
     const Deadline end(control, options.timeLimit);
-    PruningSearch search(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
+    PruningSearch search(pruned, layout, options, control);
     if (!greedy)
         result = pruneToOptimum(search, options, options.timeLimit / (options.front ? 2 : 1), control);
-    if (options.front)
-        result.front = findFront(search, mesh, dihedralAngles, rho, end.secondsLeft(), control);
+    if (options.front) result.front = findFront(search, pruned, rho, end.secondsLeft(), control);
     return result;
 }
 
@@ -92,16 +90,15 @@ void verifyConstraints(const QuadMesh& mesh, const Layout& layout, const Constra
 
 } // namespace
 
-PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
-                  const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                  const PruneOptions& options, double rho, const Control& control) {
-    verifyConstraints(mesh, layout, options.constraints);
+PruneResult prune(const PrunedMesh& pruned, const Layout& layout, const PruneOptions& options, double rho,
+                  const Control& control) {
+    verifyConstraints(pruned.mesh, layout, options.constraints);
     constexpr double halfTurn = 180; // no line turns by more
     if (!options.smooth || options.maxSharpTurn >= halfTurn)
-        return pruneFrom(layout, mesh, complex, dihedralAngles, edgeCosts, options, rho, control);
-    const Layout cut = cutTurnedSides(mesh, layout, dihedralAngles, edgeCosts, options.maxSharpTurn,
-                                      options.constraints.forbidden);
-    PruneResult result = pruneFrom(cut, mesh, complex, dihedralAngles, edgeCosts, options, rho, control);
+        return pruneFrom(layout, pruned, options, rho, control);
+    const Layout cut = cutTurnedSides(pruned.mesh, layout, pruned.dihedralAngles, pruned.edgeCosts,
+                                      options.maxSharpTurn, options.constraints.forbidden);
+    PruneResult result = pruneFrom(cut, pruned, options, rho, control);
     result.addedTracks = properTracks(cut).size() - properTracks(layout).size();
     return result;
 }

@@ -3,10 +3,8 @@
 #pragma once
 
 #include "base/control.h"
-#include "basecomplex/base_complex.h"
 #include "prune/prune.h"
-
-#include <vector>
+#include "prune/pruned_mesh.h"
 
 namespace qm {
 
@@ -16,12 +14,11 @@ namespace qm {
 /// G_T, over all arcs of the base complex. Extraordinary vertices need tracks only so that no segment has a
 /// corner above 180 degrees. A front holds layouts for a range of beta, 1/16 to 64, from many segments to
 /// few; none is as good as another in segments, G_T and captured sharpness together.
-/// \param layout  the start, of the same base complex; the optimum is never worse
+/// \param layout  the start, of the same mesh; the optimum is never worse
 /// \throw Error  if it does not obey the constraints, its tracks are not made of arcs, or nothing is found under
 /// a number of segments
-[[nodiscard]] PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
-                                const std::vector<double>& dihedralAngles,
-                                const std::vector<double>& edgeCosts, const PruneOptions& options, double rho,
-                                const Control& control = {});
+/// \param rho  edges with larger dihedral angles count as sharp, radians
+[[nodiscard]] PruneResult prune(const PrunedMesh& pruned, const Layout& layout, const PruneOptions& options,
+                                double rho, const Control& control = {});
 
 } // namespace qm

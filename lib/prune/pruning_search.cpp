@@ -24,12 +24,11 @@ struct Tuning {
 
 } // namespace
 
-PruningSearch::PruningSearch(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
-                             const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                             const PruneOptions& options, const Control& control)
-    : mesh_(mesh), complex_(complex), layout_(layout), dihedralAngles_(dihedralAngles), edgeCosts_(edgeCosts),
-      options_(options), control_(control), graph_(buildArcGraph(mesh, complex)),
-      grids_(gridProgram(mesh, complex, graph_, dihedralAngles, edgeCosts, layout,
+PruningSearch::PruningSearch(const PrunedMesh& pruned, const Layout& layout, const PruneOptions& options,
+                             const Control& control)
+    : pruned_(pruned), layout_(layout), options_(options), control_(control),
+      graph_(buildArcGraph(pruned.mesh, pruned.complex)),
+      grids_(gridProgram(pruned, graph_, layout,
                          options.smooth ? Smoothness{options.maxTurn, options.minCorner} : Smoothness(),
                          options.constraints)),
       known_{valuesOf(layout)} {
@@ -100,8 +99,9 @@ void PruningSearch::prepare(const IntegerProgram& program, double worth) {
 void PruningSearch::removeTracks(const Layout& layout, double worth) {
     PruneOptions greedy = options_;
     greedy.eta = -worth;
-    ColumnValues values =
-        valuesOf(pruneLayout(mesh_, layout, dihedralAngles_, edgeCosts_, greedy, control_).layout);
+    ColumnValues values = valuesOf(
+        pruneLayout(pruned_.mesh, layout, pruned_.dihedralAngles, pruned_.edgeCosts, greedy, control_)
+            .layout);
     if (grids_.program.allows(values)) known_.push_back(std::move(values));
 }
 
@@ -155,11 +155,11 @@ PruningSearch::Found PruningSearch::solve(const IntegerProgram& program, double 
 }
 
 ColumnValues PruningSearch::valuesOf(const Layout& layout) const {
-    return qm::valuesOf(mesh_, complex_, graph_, grids_, layout);
+    return qm::valuesOf(pruned_, graph_, grids_, layout);
 }
 
 Layout PruningSearch::layoutOf(const ColumnValues& values) const {
-    return qm::layoutOf(mesh_, complex_, graph_, values, dihedralAngles_, edgeCosts_);
+    return qm::layoutOf(pruned_, graph_, values);
 }
 
 } // namespace qm

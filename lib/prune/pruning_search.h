@@ -23,13 +23,11 @@ struct PruningAim {
 class PruningSearch {
 public:
     /// All references must outlive the object.
-    /// \param layout          the starting point; results are never worse
-    /// \param dihedralAngles  by edge, radians; like the costs
-    /// \param options         only the smoothness criterion and the constraints are used
+    /// \param layout   the starting point; results are never worse
+    /// \param options  only the smoothness criterion and the constraints are used
     /// \throw Error  if the layout's tracks are not made of whole arcs
-    PruningSearch(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
-                  const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                  const PruneOptions& options, const Control& control);
+    PruningSearch(const PrunedMesh& pruned, const Layout& layout, const PruneOptions& options,
+                  const Control& control);
 
     struct Found {
         ColumnValues values;
@@ -61,11 +59,8 @@ private:
                                                         double maxSegments) const;
     Found solve(const IntegerProgram& program, double maxSegments, const Deadline& end);
 
-    const QuadMesh& mesh_;
-    const BaseComplex& complex_;
+    PrunedMesh pruned_;
     const Layout& layout_;
-    const std::vector<double>& dihedralAngles_;
-    const std::vector<double>& edgeCosts_;
     const PruneOptions& options_;
     const Control& control_;
     ArcGraph graph_;

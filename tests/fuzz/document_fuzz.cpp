@@ -136,7 +136,7 @@ void workOn(const qm::Document& document, const qm::Model& model) {
         model.enumeration ? *model.enumeration : qm::enumerateGraphs(model.searched(), options);
     (void)qm::mergeGraphs(model.searched(), enumeration, 20, {});
     if (model.layout)
-        (void)qm::prune(model.mesh, model.complex, *model.layout, model.dihedralAngles, model.edgeCosts, {},
+        (void)qm::prune({model.mesh, model.complex, model.dihedralAngles, model.edgeCosts}, *model.layout, {},
                         qm::sharpAngle(document.root));
 }
 

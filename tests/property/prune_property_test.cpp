@@ -61,7 +61,7 @@ PruneOptions optimum(double beta, bool smooth) {
 constexpr double rho = 0.7; ///< sharp edges have larger angles
 
 PruneResult pruneCase(const Case& drawn, const Layout& layout, const PruneOptions& options) {
-    return prune(drawn.mesh, drawn.complex, layout, drawn.angles, drawn.costs, options, rho);
+    return prune({drawn.mesh, drawn.complex, drawn.angles, drawn.costs}, layout, options, rho);
 }
 
 /// The layouts of all sets of arcs that make one.
@@ -425,7 +425,7 @@ TEST(PruneProperty, AStoppedSearchKeepsTheLayout) {
     const Layout layout = buildLayout(mesh, plainMotorcycleGraph(mesh, complex, costs).tracks, angles, costs);
     PruneOptions options = optimum(1, false);
     options.timeLimit = 0;
-    const PruneResult pruned = prune(mesh, complex, layout, angles, costs, options, rho);
+    const PruneResult pruned = prune({mesh, complex, angles, costs}, layout, options, rho);
     EXPECT_LE(pruned.layout.cost + static_cast<double>(pruned.layout.segments.size()),
               layout.cost + static_cast<double>(layout.segments.size()) + 1e-6);
 }

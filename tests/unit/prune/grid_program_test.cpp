@@ -24,8 +24,10 @@ struct Pruning {
         angles.assign(mesh.n_edges(), 0.1);
         for (std::size_t edge = 0; edge < mesh.n_edges(); ++edge)
             costs.push_back(std::uniform_real_distribution<double>(-1, 2)(random));
-        grids = gridProgram(mesh, complex, graph, angles, costs, Layout{}, Smoothness());
+        grids = gridProgram(pruned(), graph, Layout{}, Smoothness());
     }
+
+    [[nodiscard]] PrunedMesh pruned() const { return {mesh, complex, angles, costs}; }
 
     QuadMesh mesh;
     BaseComplex complex;
@@ -46,13 +48,12 @@ std::size_t countAsLayoutsDo(const Pruning& pruning) {
         const ColumnValues values = pruning.grids.valuesOf(present);
         if (!pruning.grids.program.allows(values)) continue;
         ++allowed;
-        const Layout layout =
-            layoutOf(pruning.mesh, pruning.complex, pruning.graph, values, pruning.angles, pruning.costs);
+        const Layout layout = layoutOf(pruning.pruned(), pruning.graph, values);
         EXPECT_NEAR(pruning.grids.segments(values), static_cast<double>(layout.segments.size()), 1e-9);
         EXPECT_NEAR(pruning.grids.program.cost(values), layout.cost, 1e-9);
         // A component without arcs gets a line, which may run along arcs.
         if (std::ranges::count(present, true) == 0) continue;
-        EXPECT_TRUE(valuesOf(pruning.mesh, pruning.complex, pruning.graph, pruning.grids, layout) == values);
+        EXPECT_TRUE(valuesOf(pruning.pruned(), pruning.graph, pruning.grids, layout) == values);
     }
     return allowed;
 }
@@ -127,10 +128,11 @@ TEST(GridProgram, KeepsATrackWhoseEndWouldLeaveASharpTurn) {
     const std::vector<Track> tracks{trackAlong(mesh, {4, 5, 6, 7}), trackAlong(mesh, {5, 9})};
     const Layout layout = buildLayout(mesh, tracks, angles, costs);
     const Layout without = buildLayout(mesh, std::span(tracks).first(1), angles, costs);
+    const PrunedMesh pruned{mesh, complex, angles, costs};
     const auto mayGo = [&](double maxTurn) {
-        const GridProgram grids = gridProgram(mesh, complex, graph, angles, costs, layout, {maxTurn, 0});
-        EXPECT_TRUE(grids.program.allows(valuesOf(mesh, complex, graph, grids, layout)));
-        return grids.program.allows(valuesOf(mesh, complex, graph, grids, without));
+        const GridProgram grids = gridProgram(pruned, graph, layout, {maxTurn, 0});
+        EXPECT_TRUE(grids.program.allows(valuesOf(pruned, graph, grids, layout)));
+        return grids.program.allows(valuesOf(pruned, graph, grids, without));
     };
     EXPECT_FALSE(mayGo(89));
     EXPECT_TRUE(mayGo(91));

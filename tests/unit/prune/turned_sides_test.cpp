@@ -99,8 +99,9 @@ TEST(TurnedSides, PruningKeepsTheTracksUnlessSidesNeedNotBeSmooth) {
     const PerEdge costs(mesh, 1);
     const std::vector<Track> tracks{trackAlong(mesh, roofEdge, 1), trackAlong(mesh, wallEdge, 1)};
     const Layout layout = buildLayout(mesh, tracks, angles, costs);
+    const BaseComplex complex = buildBaseComplex(mesh);
     const auto pruned = [&](const PruneOptions& options) {
-        return prune(mesh, buildBaseComplex(mesh), layout, angles, costs, options, 0.45);
+        return prune({mesh, complex, angles, costs}, layout, options, 0.45);
     };
     PruneOptions options;
     EXPECT_EQ(pruned(options).addedTracks, 1U);
