@@ -118,7 +118,7 @@ private:
         auto edges = edgesOf(around_, tracks, list, report_);
         for (const int edge : edges)
             present_[at(edge)] = 1;
-        checkGraph(around_, network, tracks, present_, edges.size(), part_.tmesh, list, report_);
+        checkGraph(around_, network, {list, tracks, present_, edges.size()}, part_.tmesh, report_);
         checkConstraints(around_, context_.constraints, present_,
                          networks_.size() == 1 ? GraphOf::mesh : GraphOf::subMesh, list, report_);
         CostSum cost(context_.costs);

@@ -95,7 +95,7 @@ private:
                 straight(track);
         } else {
             const std::vector<char> present = edgesOn(tracks);
-            checkGraph(around_, network_, tracks, present, countIn(present, 1), part_.tmesh, tracksPlace,
+            checkGraph(around_, network_, {tracksPlace, tracks, present, countIn(present, 1)}, part_.tmesh,
                        report_);
         }
     }

@@ -57,8 +57,7 @@ std::vector<Piece> PieceCutter::cutBetween(const Piece& piece, Terminals kind) {
     double minComplexity = piece.measures.quasiComplexity;
     std::vector<Piece> best;
     distances_.prepare(piece.vertices);
-    for (const TerminalPair& terminals :
-         chooseTerminals(mesh_, piece.vertices, sources.extraordinary, sources.seeds, kind, distances_)) {
+    for (const TerminalPair& terminals : chooseTerminals(mesh_, piece.vertices, sources, kind, distances_)) {
         std::vector<Piece> parts = divideBetween(piece, sources, terminals);
         division_.label(piece);
         const double worst = std::max(parts[0].measures.quasiComplexity, parts[1].measures.quasiComplexity);

@@ -31,10 +31,9 @@ VertexId centre(const QuadMesh& mesh, const std::vector<VertexId>& vertices,
 }
 
 std::vector<TerminalPair> irregular(const QuadMesh& mesh, const std::vector<VertexId>& vertices,
-                                    const std::vector<VertexId>& extraordinary,
-                                    const std::vector<VertexId>& seeds, SurfaceDistances& distances) {
-    std::vector<VertexId> members = extraordinary;
-    if (members.size() < 2) members.insert(members.end(), seeds.begin(), seeds.end());
+                                    const PieceSources& sources, SurfaceDistances& distances) {
+    std::vector<VertexId> members = sources.extraordinary;
+    if (members.size() < 2) members.insert(members.end(), sources.seeds.begin(), sources.seeds.end());
     if (members.size() < 2) return {};
     const FarthestPair pair = farthestPair(members, distances);
     TerminalPair result;
@@ -110,12 +109,11 @@ std::vector<TerminalPair> betweenWalls(const QuadMesh& mesh, const std::vector<V
 } // namespace
 
 std::vector<TerminalPair> chooseTerminals(const QuadMesh& mesh, const std::vector<VertexId>& vertices,
-                                          const std::vector<VertexId>& extraordinary,
-                                          const std::vector<VertexId>& seeds, Terminals kind,
+                                          const PieceSources& sources, Terminals kind,
                                           SurfaceDistances& distances) {
     std::vector<TerminalPair> pairs;
     if (kind == Terminals::irregular)
-        pairs = irregular(mesh, vertices, extraordinary, seeds, distances);
+        pairs = irregular(mesh, vertices, sources, distances);
     else if (kind == Terminals::farthest)
         pairs = farthest(mesh, vertices);
     else

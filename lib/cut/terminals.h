@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cut/cut.h"
+#include "cut/pieces.h"
 #include "cut/surface_distances.h"
 
 #include <array>
@@ -23,14 +24,12 @@ struct TerminalPair {
 /// fewer than two extraordinary vertices, feature seeds are added to them. Farthest: the two vertices
 /// farthest apart in space, within one per cent; neither has another vertex farther away. Box: for each axis,
 /// the vertices nearest to the centres of two opposite walls of the bounding box.
-/// \param vertices       of the sub-mesh, connected, ascending
-/// \param extraordinary  vertices among them, ascending
-/// \param seeds          vertices among them, ascending
+/// \param vertices  of the sub-mesh, connected, ascending
+/// \param sources   vertices among them
 /// \return the pairs to try; none if the terminals coincide, or if there are not two vertices for groups
 [[nodiscard]] std::vector<TerminalPair> chooseTerminals(const QuadMesh& mesh,
                                                         const std::vector<VertexId>& vertices,
-                                                        const std::vector<VertexId>& extraordinary,
-                                                        const std::vector<VertexId>& seeds, Terminals kind,
+                                                        const PieceSources& sources, Terminals kind,
                                                         SurfaceDistances& distances);
 
 } // namespace qm

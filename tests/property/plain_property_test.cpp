@@ -36,8 +36,8 @@ std::string brokenRules(const QuadMesh& mesh, const std::vector<Seed>& seeds,
     const std::vector<int> edges = check::edgesOf(around, paths, "", report);
     for (const int edge : edges)
         present[at(edge)] = 1;
-    check::checkGraph(around, check::traceLines(around, input).front(), paths, present, edges.size(), false,
-                      "", report);
+    check::checkGraph(around, check::traceLines(around, input).front(), {"", paths, present, edges.size()},
+                      false, report);
     std::string text;
     for (const check::Violation& violation : report.violations())
         text += violation.rule + ": " + violation.explanation + "\n";

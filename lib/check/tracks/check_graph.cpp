@@ -122,16 +122,15 @@ std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack
     return result;
 }
 
-void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<const char> present, std::size_t count, bool isTMesh, const std::string& pointer,
-                Report& report) {
+void checkGraph(const Neighbourhoods& around, const LineNetwork& network, const ReadGraph& graph,
+                bool isTMesh, Report& report) {
     if (isTMesh)
-        checkStraight(around, tracks, pointer, report);
+        checkStraight(around, graph.tracks, graph.pointer, report);
     else
-        checkParticles(around, network, tracks, pointer, report);
+        checkParticles(around, network, graph.tracks, graph.pointer, report);
     const ArcRuleSet rules = isTMesh ? ArcRuleSet::ofTMeshes : ArcRuleSet::ofGraphs;
-    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count, rules))
-        report.violate(pointer, broken.rule, broken.explanation);
+    for (const BrokenArcRule& broken : brokenArcRules(around, network, graph.present, graph.count, rules))
+        report.violate(graph.pointer, broken.rule, broken.explanation);
 }
 
 } // namespace qm::check

@@ -27,12 +27,17 @@ struct ReadTrack {
 [[nodiscard]] std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack> tracks,
                                        const std::string& pointer, Report& report);
 
+/// The tracks of a graph, and the edges that they cover.
+struct ReadGraph {
+    std::string pointer; ///< of the list of tracks
+    std::span<const ReadTrack> tracks;
+    std::span<const char> present; ///< by edge: whether it lies on a track
+    std::size_t count = 0;         ///< how many edges do
+};
+
 /// Tests the tracks by rules A1 to A4 and, apart from that, the set of their edges by the rules on arcs.
-/// \param present  by edge: whether it lies on a track
-/// \param count    how many edges do
 /// \param isTMesh  tracks may begin and end on others: they need only be straight and obey arc rules 1 and 2
-void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<const char> present, std::size_t count, bool isTMesh, const std::string& pointer,
-                Report& report);
+void checkGraph(const Neighbourhoods& around, const LineNetwork& network, const ReadGraph& graph,
+                bool isTMesh, Report& report);
 
 } // namespace qm::check
