@@ -41,7 +41,7 @@ const Model& Stage::readWhole() {
     return take(readWholeModel(document_, meshPath_));
 }
 
-const Model& Stage::readAnother(const std::string& path, const Document& before) {
+void Stage::readAnother(const std::string& path, const Document& before) {
     parse(readFile(path), path, earliest_);
     const auto meshOf = [](const Document& document) { return JsonPlace(document.root)["mesh"]["sha256"]; };
     inFile(displayName(path), [&] {
@@ -49,7 +49,7 @@ const Model& Stage::readAnother(const std::string& path, const Document& before)
             meshOf(document_).fail("is of another mesh than " + displayName(before.path),
                                    "Give documents that were made from one mesh");
     });
-    return take(readModel(document_, reads_, meshPath_));
+    (void)take(readModel(document_, reads_, meshPath_));
 }
 
 const Model& Stage::take(Model model) {

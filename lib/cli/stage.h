@@ -36,8 +36,10 @@ public:
     [[nodiscard]] const Model& readWhole();
     /// Replaces the document by another one, whose mesh must be that of a document read before.
     /// \throw FileError  if the bytes of its mesh differ
-    [[nodiscard]] const Model& readAnother(const std::string& path, const Document& before);
+    void readAnother(const std::string& path, const Document& before);
+    /// What was read last; an earlier model is gone.
     [[nodiscard]] const Document& document() const { return document_; }
+    [[nodiscard]] const Model& model() const { return model_; }
 
     /// Hands over the document, so that `resume` can return to it after others have been read.
     [[nodiscard]] Document release() { return std::move(document_); }

@@ -22,9 +22,9 @@ struct Candidate {
     Surfaces surfaces; ///< only of the best layout
 };
 
-/// \param model  read by the stage
-Candidate fitted(Stage& stage, const Model& model, const FitOptions& options, const ScanInput& scan,
-                 const Control& control) {
+/// Fits what the stage has read last.
+Candidate fitted(Stage& stage, const FitOptions& options, const ScanInput& scan, const Control& control) {
+    const Model& model = stage.model();
     Candidate candidate;
     candidate.surfaces =
         fitSurfaces(model.mesh, *model.layout, model.dihedralAngles, options, orNull(scan.surface), control);
@@ -35,9 +35,9 @@ Candidate fitted(Stage& stage, const Model& model, const FitOptions& options, co
     return candidate;
 }
 
-/// Fits and ranks all layouts, or those until an interrupt or the limit of time, best first; all but the best
-/// keep only their figures.
-std::vector<Candidate> ranked(const Tool& tool, Stage& stage, const Model& first, const FitOptions& options,
+/// Fits and ranks what the stage has read and all further layouts, or those until an interrupt or the limit
+/// of time, best first; all but the best keep only their figures.
+std::vector<Candidate> ranked(const Tool& tool, Stage& stage, const FitOptions& options,
                               const std::vector<std::string>& furtherFiles, const ScanInput& scan) {
     const Control all = tool.control("fitting");
     const Deadline end(all, options.timeLimit);
@@ -46,12 +46,12 @@ std::vector<Candidate> ranked(const Tool& tool, Stage& stage, const Model& first
         return fit;
     };
     std::vector<Candidate> candidates;
-    candidates.push_back(fitted(stage, first, inTime(options), scan, all));
+    candidates.push_back(fitted(stage, inTime(options), scan, all));
     for (const std::string& file : furtherFiles) {
         const Control control = tool.control("fitting");
         if (control.stopRequested() || end.isOver()) break;
-        const Model& model = stage.readAnother(file, candidates.front().document);
-        candidates.push_back(fitted(stage, model, inTime(options), scan, control));
+        stage.readAnother(file, candidates.front().document);
+        candidates.push_back(fitted(stage, inTime(options), scan, control));
         if (ranksBefore(candidates.back().layout, candidates.front().layout))
             std::swap(candidates.front(), candidates.back());
         candidates.back().document = {};
@@ -92,9 +92,9 @@ void declareRequests(Tool& tool, FitRequests& requests, const FitOptions& option
 }
 
 int fitAndWrite(const Tool& tool, Stage& stage, const FitOptions& options, const FitRequests& requests) {
-    const Model& first = stage.read();
+    (void)stage.read();
     const ScanInput scan = readScanInput(tool, requests.reference);
-    std::vector<Candidate> candidates = ranked(tool, stage, first, options, requests.furtherFiles, scan);
+    std::vector<Candidate> candidates = ranked(tool, stage, options, requests.furtherFiles, scan);
     Candidate& best = candidates.front();
     const Surfaces& surfaces = best.surfaces;
     tool.count("patches", surfaces.patches.size());
@@ -109,7 +109,8 @@ int fitAndWrite(const Tool& tool, Stage& stage, const FitOptions& options, const
     warnOfFolds(tool, surfaces);
     warnOfCoverage(tool, surfaces);
     if (options.fit == Fit::smooth)
-        warnOfBridges(tool, surfaces, allowedDistance(surfaces, options, boundingBox(first.mesh).diagonal()));
+        warnOfBridges(tool, surfaces,
+                      allowedDistance(surfaces, options, boundingBox(stage.model().mesh).diagonal()));
     const std::string missed = missedTolerance(surfaces, options);
     if (missed.empty()) return exitDone;
     tool.warn(missed);
