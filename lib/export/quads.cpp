@@ -22,19 +22,16 @@ std::string quadsAsObj(const QuadMesh& mesh, const Layout& layout) {
 }
 
 std::string quadsAsPly(const QuadMesh& mesh, const Layout& layout, const std::vector<Colour>& colours) {
-    std::vector<std::size_t> segmentOf(mesh.n_faces(), 0);
-    for (std::size_t s = 0; s < layout.segments.size(); ++s)
-        for (const FaceId face : layout.segments[s].faces)
-            segmentOf[at(face)] = s;
+    const std::vector<SegmentId> segmentOf = segmentsOfFaces(mesh, layout);
     const Soup soup = soupOf(mesh);
     std::string bytes = plyPoints(soup, "property uchar red\nproperty uchar green\nproperty uchar blue\n"
                                         "property int segment\n");
     for (std::size_t face = 0; face < soup.faceCount(); ++face) {
-        const std::size_t segment = segmentOf[face];
+        const SegmentId segment = segmentOf[face];
         appendPlyFace(bytes, soup.face(face));
-        for (const std::uint8_t part : colours[segment])
+        for (const std::uint8_t part : colours[segment.idx()])
             appendBytes(bytes, part);
-        appendBytes(bytes, static_cast<std::int32_t>(segment));
+        appendBytes(bytes, static_cast<std::int32_t>(segment.value()));
     }
     return bytes;
 }

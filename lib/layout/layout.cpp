@@ -133,6 +133,14 @@ Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
     return Builder(mesh, dihedralAngles, edgeCosts).build(tracks);
 }
 
+std::vector<SegmentId> segmentsOfFaces(const QuadMesh& mesh, const Layout& layout) {
+    std::vector<SegmentId> result(mesh.n_faces());
+    for (std::size_t s = 0; s < layout.segments.size(); ++s)
+        for (const FaceId face : layout.segments[s].faces)
+            result[at(face)] = SegmentId(s);
+    return result;
+}
+
 std::vector<bool> cornerMarks(const QuadMesh& mesh, const Layout& layout) {
     std::vector<bool> marks(mesh.n_vertices());
     for (const Segment& segment : layout.segments)

@@ -1,6 +1,7 @@
 /// \file The layout: tracks, and the segments into which they cut the mesh (docs/METHOD.md#layout).
 #pragma once
 
+#include "base/ids.h"
 #include "layout/motorcycle_graph.h"
 #include "mesh/quad_mesh.h"
 
@@ -46,6 +47,9 @@ struct Layout {
 [[nodiscard]] Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
                                  const std::vector<double>& dihedralAngles,
                                  const std::vector<double>& edgeCosts);
+
+/// By face: its segment.
+[[nodiscard]] std::vector<SegmentId> segmentsOfFaces(const QuadMesh& mesh, const Layout& layout);
 
 /// By vertex: whether a segment has a corner there.
 [[nodiscard]] std::vector<bool> cornerMarks(const QuadMesh& mesh, const Layout& layout);

@@ -12,12 +12,8 @@
 namespace qm {
 
 Removal::Removal(const QuadMesh& mesh, const Layout& layout)
-    : mesh_(mesh), borders_(mesh, properTracks(layout)), segmentOf_(mesh.n_faces()),
-      sets_(layout.segments.size()) {
-    for (std::size_t s = 0; s < layout.segments.size(); ++s)
-        for (const FaceId face : layout.segments[s].faces)
-            segmentOf_[at(face)] = SegmentId(s);
-}
+    : mesh_(mesh), borders_(mesh, properTracks(layout)), segmentOf_(segmentsOfFaces(mesh, layout)),
+      sets_(layout.segments.size()) {}
 
 SegmentId Removal::find(SegmentId segment) {
     return SegmentId(sets_.find(segment.idx()));

@@ -21,14 +21,13 @@ neighbouringSegments(const QuadMesh& mesh, const std::vector<std::uint32_t>& of)
 void addSegments(Scene& scene, const QuadMesh& mesh, const Layout& layout) {
     auto faces = newLayer<FaceLayer>("segments", "segments", "segment", "/layout/segments/");
     faces.paint = Paint::items;
-    faces.groups.assign(mesh.n_faces(), noItem);
+    for (const SegmentId segment : segmentsOfFaces(mesh, layout))
+        faces.groups.push_back(static_cast<std::uint32_t>(segment.value()));
     faces.items.count = layout.segments.size();
     LineLayer borders =
         newLines("borders", "borders of segments", "side", "/layout/segments/{of segment}/sides/{side}");
     for (std::size_t k = 0; k < layout.segments.size(); ++k) {
         const Segment& segment = layout.segments[k];
-        for (const FaceId face : segment.faces)
-            faces.groups[at(face)] = static_cast<std::uint32_t>(k);
         addFigure(faces.items, "quads along side 0", segment.size[0]);
         addFigure(faces.items, "quads along side 1", segment.size[1]);
         for (std::size_t side = 0; side < 4; ++side) {
