@@ -12,6 +12,8 @@
 
 namespace qm {
 
+struct BorderMarks;
+
 /// The mesh's points, quads and edges.
 /// \param centre  becomes the origin
 void addMesh(Scene& scene, const Viewed& viewed, const Point& centre);
@@ -21,9 +23,10 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut);
 /// The best graph of every sub-mesh.
 void addGraphs(Scene& scene, const QuadMesh& mesh, const Enumeration& enumeration);
 void addLayout(Scene& scene, const QuadMesh& mesh, const Layout& layout);
-/// The patches, how far they are from what they were fitted to, how smoothly they meet, their borders, nets
-/// and knots.
+/// The patches, how far they are from what they were fitted to, and how they bend; then their lines.
 void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsigned jobs);
+/// The borders of the patches, how smoothly they meet, nets and knots. The scene must have the patches.
+void addSurfaceLines(Scene& scene, const Viewed& viewed, const BorderMarks& marks);
 
 /// A point's coordinates about a centre, at the end of a list.
 void appendPosition(std::vector<float>& positions, const Point& point, const Point& centre);
