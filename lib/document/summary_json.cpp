@@ -15,13 +15,10 @@ Json fitToJson(const FitSummary& fit) {
     json["maxFromFacets"] = deviation.maxFromFacets;
     json["farthest"] = placeToJson(fit.farthest.place, fit.farthest.point);
     json["scan"] = Json();
-    if (const auto& scan = fit.scan)
-        json["scan"] = {{"coverage", scan->coverage},
-                        {"noise", scan->noise},
-                        {"max", scan->max},
-                        {"rms", scan->rms},
-                        {"percentile95", scan->percentile95},
-                        {"farthest", placeToJson(fit.farthestFromScan.place, fit.farthestFromScan.point)}};
+    if (fit.scan) {
+        json["scan"] = figuresToJson(*fit.scan);
+        json["scan"]["farthest"] = placeToJson(fit.farthestFromScan.place, fit.farthestFromScan.point);
+    }
     json["gap"] = deviation.largestGap;
     json["largestNormalAngle"] = deviation.largestNormalAngle;
     json["percentile95NormalAngle"] = deviation.percentile95NormalAngle;

@@ -2,8 +2,8 @@
 
 #include "document/json/json.h"
 
-#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <sys/resource.h>
 
 namespace qm {
@@ -17,9 +17,8 @@ double peakMegabytes() {
 
 /// A whole number without an exponent, as far as doubles count.
 Json counted(double value) {
-    constexpr double exact = 9007199254740992; // 2^53
-    if (value == std::floor(value) && std::abs(value) < exact) return static_cast<std::int64_t>(value);
-    return value;
+    const std::optional<std::int64_t> whole = wholeNumber(value);
+    return whole ? Json(*whole) : Json(value);
 }
 
 } // namespace

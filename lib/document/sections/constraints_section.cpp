@@ -28,10 +28,7 @@ public:
                     vertices.failAt(
                         end, "the edge to this vertex is on the mesh boundary, which always bounds patches");
                 }
-                if (!onLine_[at(edge)])
-                    vertices.failAt(
-                        end, "the edge to this vertex lies on no separatrix, so no patch can end there",
-                        "Demand edges of separatrices or of lines with a feature seed");
+                verifyOnLine(edge, vertices, end);
                 if (others[at(edge)])
                     vertices.failAt(end, "the edge to this vertex is both required and forbidden");
                 if (!known[at(edge)]) edges.push_back(edge);
@@ -48,9 +45,7 @@ public:
             const JsonPlace vertices = entry["vertices"];
             const double weight = entry["weight"].number();
             for (const auto& [edge, end] : edgesAlong(vertices)) {
-                if (!onLine_[at(edge)])
-                    vertices.failAt(
-                        end, "the edge to this vertex lies on no separatrix, so no patch can end there");
+                verifyOnLine(edge, vertices, end);
                 if (known[at(edge)]) vertices.failAt(end, "the edge to this vertex has a weight already");
                 known[at(edge)] = true;
                 weights.emplace_back(edge, weight);
@@ -64,6 +59,12 @@ private:
         EdgeId edge;
         std::size_t end; ///< position in the list of the vertex to which it leads
     };
+
+    void verifyOnLine(EdgeId edge, const JsonPlace& vertices, std::size_t end) const {
+        if (!onLine_[at(edge)])
+            vertices.failAt(end, "the edge to this vertex lies on no separatrix, so no patch can end there",
+                            "Choose edges of separatrices or of lines with a feature seed");
+    }
 
     [[nodiscard]] std::vector<PathEdge> edgesAlong(const JsonPlace& vertices) const {
         std::vector<PathEdge> edges;

@@ -61,7 +61,7 @@ Json placeToJson(const std::vector<Patch>& patches, const LayoutPlace& place) {
 
 Json scanToJson(const Surfaces& surfaces, const ScanFile& file) {
     Json json = {{"path", file.path}, {"sha256", file.sha256}};
-    visitScan(*surfaces.scan, [&json](const char* key, double value) { json[key] = value; });
+    json.update(figuresToJson(*surfaces.scan));
     json["farthest"] = placeToJson(surfaces.patches, surfaces.scan->farthest);
     return json;
 }
@@ -80,6 +80,12 @@ Json pointsToJson(const Patch& patch) {
 }
 
 } // namespace
+
+Json figuresToJson(const ScanFigures& scan) {
+    Json json = Json::object();
+    visitScan(scan, [&json](const char* key, double value) { json[key] = value; });
+    return json;
+}
 
 Json placeToJson(const LayoutPlace& place, const Point& point) {
     return {{"patch", place.patch}, {"at", place.at}, {"point", {point[0], point[1], point[2]}}};

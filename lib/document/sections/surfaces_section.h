@@ -17,6 +17,9 @@ struct ScanFile {
 /// A place on a surface: patch, parameters and point.
 [[nodiscard]] Json placeToJson(const LayoutPlace& place, const Point& point);
 
+/// The figures alone, without the place that is farthest.
+[[nodiscard]] Json figuresToJson(const ScanFigures& scan);
+
 /// \param scan  the scan that the surfaces were fitted to, if any
 [[nodiscard]] Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan = {});
 
