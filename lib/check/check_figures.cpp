@@ -110,14 +110,14 @@ private:
             const double limit = *fromFacets_ + slack;
             double error = distances_.toMesh.from(on, cell.face, startIn(cell, s, t), limit);
             if (error <= limit) error = distances_.toSurfaces.from(of, patch_, parameters, limit);
-            if (checkFigure(part_, patch_, "maxFromFacets", error, slack, placeOf(cell), report_))
+            if (checkFigure(part_, patch_, {"maxFromFacets", error, slack, placeOf(cell)}, report_))
                 return true;
         }
         const bool atVertex = i % samplesPerEdge == 0 && j % samplesPerEdge == 0;
         if (!atVertex || !fromVertices_ || plain <= *fromVertices_ + slackOf(*fromVertices_)) return false;
         const double slack = slackOf(*fromVertices_);
         const double error = distances_.toSurfaces.from(of, patch_, parameters, *fromVertices_ + slack);
-        return checkFigure(part_, patch_, "maxFromVertices", error, slack, placeOf(cell), report_);
+        return checkFigure(part_, patch_, {"maxFromVertices", error, slack, placeOf(cell)}, report_);
     }
 
     [[nodiscard]] static std::string placeOf(const Cell& cell) {

@@ -72,7 +72,8 @@ private:
             const SurfacePoint right = there(line);
             const std::string where =
                 std::string("at ") + (direction == 0 ? "u" : "v") + " = " + numberText(line);
-            if (checkFigure(part_, p, "largestInnerNormalAngle", angleBetween(left, right), sameAngle, where,
+            if (checkFigure(part_, p,
+                            {"largestInnerNormalAngle", angleBetween(left, right), sameAngle, where},
                             report_) ||
                 hasGap(p, left, right, where))
                 return true;
@@ -83,7 +84,7 @@ private:
     bool hasGap(std::size_t p, const SurfacePoint& left, const SurfacePoint& right,
                 const std::string& where) {
         const double rounding = 1e-12 * largestCoordinate(part_.patches[p].controlPoints);
-        return checkFigure(part_, p, "largestGap", distance(left.point, right.point), rounding, where,
+        return checkFigure(part_, p, {"largestGap", distance(left.point, right.point), rounding, where},
                            report_);
     }
 
@@ -117,8 +118,10 @@ private:
                 const std::string where =
                     "along the border to patch " + std::to_string(place[1 - side].patch);
                 if (hasGap(p, left, right, where) ||
-                    (smooth && checkFigure(part_, p, "largestNormalAngle", angleBetween(left, right),
-                                           sameAngle, where, report_)))
+                    (smooth &&
+                     checkFigure(part_, p,
+                                 {"largestNormalAngle", angleBetween(left, right), sameAngle, where},
+                                 report_)))
                     return;
             }
         }
@@ -138,12 +141,11 @@ void checkMeetings(const Context& context, const LayoutPart& layout, const Surfa
     MeetingCheck(context, layout, part, report).run();
 }
 
-bool checkFigure(const SurfacesPart& part, std::size_t patch, const char* figure, double found, double slack,
-                 const std::string& where, Report& report) {
-    const auto stated = part.patches[patch].figures[figure];
-    if (!stated || found <= *stated * (1 + 1e-6) + slack) return false;
-    report.violate(below("/surfaces/patches", patch, "deviation", figure), "deviation",
-                   "it is " + numberText(found) + " " + where);
+bool checkFigure(const SurfacesPart& part, std::size_t patch, const FoundFigure& found, Report& report) {
+    const auto stated = part.patches[patch].figures[found.figure];
+    if (!stated || found.value <= *stated * (1 + 1e-6) + found.slack) return false;
+    report.violate(below("/surfaces/patches", patch, "deviation", found.figure), "deviation",
+                   "it is " + numberText(found.value) + " " + found.where);
     return true;
 }
 

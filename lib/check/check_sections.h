@@ -103,11 +103,16 @@ void checkMeetings(const Context& context, const LayoutPart& layout, const Surfa
 /// is a scan or has bridged quads with flat corners.
 void checkAgreement(const CheckedMesh& mesh, const SurfacesPart& part, Report& report);
 
-/// Reports a figure of a patch that is less than what is found.
-/// \param slack  for rounding
-/// \param where  ends the sentence
+/// What a figure of a patch must not be less than.
+struct FoundFigure {
+    const char* figure; ///< its key
+    double value = 0;
+    double slack = 0;  ///< for rounding
+    std::string where; ///< ends a sentence: "at face 3"
+};
+
+/// Reports a figure that is less than what is found.
 /// \return whether it is less
-bool checkFigure(const SurfacesPart& part, std::size_t patch, const char* figure, double found, double slack,
-                 const std::string& where, Report& report);
+bool checkFigure(const SurfacesPart& part, std::size_t patch, const FoundFigure& found, Report& report);
 
 } // namespace qm::check
