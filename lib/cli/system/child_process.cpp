@@ -16,7 +16,7 @@ extern char** environ; // NOLINT(readability-*): POSIX calls it so, and some sys
 namespace qm {
 namespace {
 
-constexpr int heldSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+constexpr int heldSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
 
 /// Starts a program in a process group of its own.
 /// \return 0 if there is no such program
