@@ -67,6 +67,14 @@ shapes() { qm-shape --list | awk 'NR > 1 { print $1 }'; }
     assert_equal "$(qm-shape sphere --scan 100000 --noise 0.02 | spread | cut -c 1-4)" 0.02
 }
 
+@test "noise beyond what a file can hold is refused" {
+    for ending in stl obj; do
+        complains qm-shape cube --scan 100 --noise 1e308 -o far.$ending
+        assert_regex "$stderr" 'noise: is more than'
+        assert [ ! -e far.$ending ]
+    done
+}
+
 @test "a scan as STL has the size that its number of facets says" {
     qm-shape torus --scan 5000 -o scan.stl
     facets=$(($(od -An -t u4 -j 80 -N 4 scan.stl)))

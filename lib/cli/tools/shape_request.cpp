@@ -1,16 +1,25 @@
 #include "cli/tools/shape_request.h"
 
+#include "base/error.h"
 #include "mesh/bounding_box.h"
 #include "mesh/files/write_soup.h"
 #include "shape/scan.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace qm {
 namespace {
 
 std::string padded(const std::string& text, std::size_t width) {
     return text + std::string(width - std::min(width, text.size()), ' ');
+}
+
+/// Whether STL can hold a point.
+bool isSinglePrecision(const Point& point) {
+    return std::ranges::all_of(
+        point, [](double coordinate) { return std::abs(coordinate) <= std::numeric_limits<float>::max(); });
 }
 
 MeshFormat formatOf(const ShapeRequest& request, std::string_view outputPath) {
@@ -64,6 +73,8 @@ Soup makeRequested(const ShapeRequest& request) {
     Triangles scan = makeScan(request.name, request.scan, request.shape);
     if (request.noise.value > 0)
         addNoise(scan, request.noise.length(boundingBoxOf(scan.points).diagonal()), request.shape.seed);
+    if (!std::ranges::all_of(scan.points, isSinglePrecision))
+        throw Error("--noise", "is more than coordinates of single precision can hold", "Ask for less");
     return soupOf(scan);
 }
 

@@ -46,6 +46,7 @@ void verify(const Tool& tool, const ShapeRequest& request);
 /// One line for every shape, below a heading.
 [[nodiscard]] std::string listOfShapes();
 
+/// \throw Error  if there is no such shape, or its points are too far away
 [[nodiscard]] Soup makeRequested(const ShapeRequest& request);
 
 /// The contents of a file in the requested format.
