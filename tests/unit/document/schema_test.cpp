@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <chrono>
 #include <set>
 
@@ -21,9 +20,6 @@ using qm::Kind;
 using qm::parseJson;
 using qm::test::messageOf;
 using qm::test::sampleDocument;
-
-constexpr std::array<const char*, 6> kinds{"basecomplex", "features", "cut",
-                                           "enumeration", "layout",   "surfaces"};
 
 /// The part of draft-07 that our schemas use, and nothing else: validation visits only three numbers of a
 /// long list, which is correct for these keywords but not for all.
@@ -55,7 +51,7 @@ const char* const metaSchema = R"({
 
 TEST(Schemas, AreValidAndUseOnlyWhatTheValidatorTreatsRight) {
     const Json meta = parseJson(metaSchema);
-    EXPECT_EQ(qm::embeddedSchemas().size(), kinds.size() + 1);
+    EXPECT_EQ(qm::embeddedSchemas().size(), qm::allKinds.size() + 1);
     for (const qm::EmbeddedText& schema : qm::embeddedSchemas())
         EXPECT_NO_THROW(qm::validate(parseJson(schema.text), meta)) << schema.name;
     EXPECT_THROW(qm::validate(parseJson(R"({"type": "text"})"), meta), qm::Error);
@@ -73,7 +69,8 @@ TEST(Schemas, DefinitionsHaveDifferentNames) {
 }
 
 TEST(Schemas, OfAKindStandAlone) {
-    for (const std::string kind : kinds) {
+    for (const Kind written : qm::allKinds) {
+        const std::string kind = qm::kindName(written);
         const Json schema = parseJson(qm::standaloneSchema(kind));
         EXPECT_EQ(schema.at("properties").at("kind").at("const"), kind);
         const std::string text = schema.dump();
@@ -90,8 +87,9 @@ TEST(Schemas, OfAKindStandAlone) {
 TEST(Schemas, DescribeTheDocumentsThatTheToolsWrite) {
     const qm::test::TemporaryFolder folder;
     const Json whole = sampleDocument(folder, Kind::surfaces).root;
-    for (const std::string kind : kinds) {
-        const Json root = sampleDocument(folder, *qm::kindOfName(kind)).root;
+    for (const Kind written : qm::allKinds) {
+        const std::string kind = qm::kindName(written);
+        const Json root = sampleDocument(folder, written).root;
         EXPECT_NO_THROW(qm::validateAgainstSchema(root, kind)) << kind;
         EXPECT_EQ(root.at("kind"), kind);
         // Removing a required key must be noticed.
