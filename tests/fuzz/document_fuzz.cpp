@@ -12,6 +12,7 @@
 #include "support/checked_mesh.h"
 #include "support/sample_document.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -23,8 +24,6 @@
 namespace {
 
 using qm::Json;
-
-constexpr std::size_t kinds = static_cast<std::size_t>(qm::Kind::surfaces) + 1;
 
 /// Reads the fuzzer's bytes one after another, and zeros after their end.
 class Choices {
@@ -53,8 +52,8 @@ Json& within(Json& value, Choices& choices) {
 /// A random section; kind, version and history are left out, because they have few meaningful values.
 Json& place(Json& root, Choices& choices) {
     std::vector<std::string> sections{"mesh", "constraints"};
-    for (std::size_t kind = 0; kind < kinds; ++kind)
-        sections.emplace_back(qm::sectionOf(static_cast<qm::Kind>(kind)));
+    for (const qm::Kind kind : qm::allKinds)
+        sections.emplace_back(qm::sectionOf(kind));
     std::erase_if(sections, [&root](const std::string& section) { return !root.contains(section); });
     return within(root[sections[choices.below(sections.size())]], choices);
 }
@@ -158,10 +157,10 @@ struct Sample {
 };
 
 const Sample& sample(std::size_t kind) {
-    static const std::array<std::unique_ptr<const Sample>, kinds> samples = [] {
-        std::array<std::unique_ptr<const Sample>, kinds> result;
-        for (std::size_t k = 0; k < kinds; ++k)
-            result[k] = std::make_unique<Sample>(static_cast<qm::Kind>(k));
+    static const std::array<std::unique_ptr<const Sample>, qm::allKinds.size()> samples = [] {
+        std::array<std::unique_ptr<const Sample>, qm::allKinds.size()> result;
+        std::ranges::transform(qm::allKinds, result.begin(),
+                               [](qm::Kind of) { return std::make_unique<Sample>(of); });
         return result;
     }();
     return *samples[kind];
@@ -171,7 +170,7 @@ const Sample& sample(std::size_t kind) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Choices choices(data, size);
-    const Sample& start = sample(choices.below(kinds));
+    const Sample& start = sample(choices.below(qm::allKinds.size()));
     Json root = start.root;
     while (choices.left())
         edit(root, choices);
