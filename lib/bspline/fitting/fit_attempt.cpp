@@ -18,8 +18,12 @@ namespace {
 
 /// How often a search tries to do with fewer knots.
 constexpr int maxRemovals = 6;
-/// Rounds are no longer flattened after this has broken the tolerance so often.
-constexpr int maxFlattenings = 8;
+/// Once flattening has broken the tolerance so often, the planes near what misses it are given up, since
+/// knots have not helped, and after `max` times rounds are no longer flattened.
+struct Flattenings {
+    static constexpr int patience = 3;
+    static constexpr int max = 8;
+};
 /// Number of rounds after a removal within which the tolerance must be kept again.
 constexpr int maxRepairs = 4;
 /// Weights alone are changed as long as each round leaves at most this share of what is missed.
@@ -72,7 +76,7 @@ class FitAttempt {
 public:
     FitAttempt(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
                unsigned jobs)
-        : problem_(problem), options_(options), jobs_(jobs),
+        : problem_(problem), options_(options),
           planes_(flatPatches(problem.layout, problem.reference.grids, problem.network, options.flatness)),
           state_(problem, options, isSoft, jobs) {}
 
@@ -83,7 +87,7 @@ public:
         Fitted nearest;
         for (int k = 1;; ++k) {
             chooseBest();
-            if (hasPlanes()) flattenWhereKept(problem_, planes_, best_, jobs_);
+            if (hasPlanes()) flattenWhereKept(problem_.verify, options_.slides, planes_, state_, best_);
             Fitted found{best_.patches, best_.distances, followsNoise()};
             const bool isAstray = !isLast && k > 1 && isAstrayFrom(nearest, found);
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
@@ -93,6 +97,7 @@ public:
             if (!state_.tighten(best_)) return nearest;
             best_ = {};
             nearest_ = {};
+            unflattened_ = {};
             search(options_.roundsOfMending, Saving::none, unreported(control));
         }
     }
@@ -107,8 +112,8 @@ private:
         for (int round = 0; round < maxRounds; ++round) {
             control.progress(static_cast<double>(round) / maxRounds);
             if (round > 0) state_.solveChanged(options_.slides);
-            flattenIfKept();
-            past.idle = keepIfBest() ? 0 : past.idle + 1;
+            const bool hasBroken = flattenIfKept();
+            past.idle = keepIfBest() ? 0 : past.idle + (hasBroken ? 0 : 1);
             if (past.idle == options_.maxIdle || control.stopRequested() || isInVain(round, past)) break;
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
@@ -185,10 +190,15 @@ private:
 
     /// Once the tolerance is kept, it is to be kept with plane patches in their planes: what these push away
     /// is refined as well. Some planes cannot be reached within the tolerance.
-    void flattenIfKept() {
-        if (!hasPlanes() || flattenings_ == maxFlattenings || state_.worst() > 1) return;
-        state_.flatten(planes_);
-        if (state_.worst() > 1) ++flattenings_;
+    /// \return whether only the planes break the tolerance, and it has not been kept with planes before
+    bool flattenIfKept() {
+        if (!hasPlanes() || flattenings_ == Flattenings::max || state_.worst() > 1) return false;
+        if (!best_.score.keeps) unflattened_ = state_.round();
+        state_.flatten(planes_, options_.slides);
+        if (state_.worst() <= 1 || best_.score.keeps) return false;
+        if (++flattenings_ >= Flattenings::patience)
+            dropPlanes(problem_.network.stretches, state_.missingPatches(), planes_);
+        return true;
     }
 
     [[nodiscard]] bool hasPlanes() const {
@@ -216,6 +226,7 @@ private:
     /// Prefers the nearest round to the best if a verification finds it nearer, which the lattices cannot
     /// tell.
     void chooseBest() {
+        if (!best_.score.keeps && !unflattened_.patches.empty()) best_ = std::exchange(unflattened_, {});
         const double ofBest = verified(best_);
         if (ofBest > 1 && !(nearest_.score == best_.score) && verified(nearest_) < ofBest)
             best_ = std::move(nearest_);
@@ -223,15 +234,15 @@ private:
 
     const FitProblem& problem_;
     const SmoothFitOptions& options_;
-    unsigned jobs_;
-    std::vector<std::optional<FlatPatch>> planes_;
+    std::vector<std::optional<FlatPatch>> planes_; ///< by patch; those out of reach are dropped
     FitState state_;
     int flattenings_ = 0;   ///< that broke the tolerance
     int rounds_ = 0;        ///< in all searches together
     double firstWorst_ = 0; ///< of the first round of all
     std::size_t firstPoints_ = 0;
     FitRound best_;
-    FitRound nearest_; ///< the best if errors that are given up count like all others
+    FitRound unflattened_; ///< keeps the tolerance, for want of a round that does so with planes in place
+    FitRound nearest_;     ///< the best if errors that are given up count like all others
 };
 
 } // namespace

@@ -244,6 +244,13 @@ std::vector<bool> FitState::foldedPatches() const {
     return folded;
 }
 
+std::vector<bool> FitState::missingPatches() const {
+    std::vector<bool> missing;
+    for (const PatchErrors& errors : errors_)
+        missing.push_back(errors.max() > 1);
+    return missing;
+}
+
 bool FitState::isFolded() const {
     return std::ranges::any_of(errors_, [](const PatchErrors& errors) { return errors.anyFolded(); });
 }
@@ -277,9 +284,18 @@ void FitState::restore(const FitRound& round) {
     assess(everywhere());
 }
 
-void FitState::flatten(const std::vector<std::optional<FlatPatch>>& planes) {
-    qm::flatten(layout_, plan_, spaces_, planes, patches_, jobs_);
+bool FitState::flatten(std::vector<std::optional<FlatPatch>>& planes, int slides) {
+    if (!qm::flatten(layout_, plan_, spaces_, planes, patches_, jobs_)) return false;
+    std::vector<bool> isFree(planes.size());
+    for (std::size_t k = 0; k < planes.size(); ++k)
+        isFree[k] = planes[k].has_value();
+    isFree = withNeighbours(plan_.stretches(), std::move(isFree), options_.ringsAround);
+    for (std::size_t k = 0; k < planes.size(); ++k)
+        if (planes[k]) isFree[k] = false;
+    std::vector<Patch> flat = patches_;
+    if (!solveFor(isFree, slides)) patches_ = std::move(flat);
     assess(everywhere());
+    return true;
 }
 
 bool FitState::weighWhatIsMissed() {

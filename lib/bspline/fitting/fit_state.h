@@ -43,6 +43,10 @@ public:
     [[nodiscard]] double worst() const { return worst_; }   ///< largest error of all patches
     [[nodiscard]] double excess() const { return excess_; } ///< sum over the patches of their error above 1
 
+    /// By patch: whether its error is above 1.
+    [[nodiscard]] std::vector<bool> missingPatches() const;
+    /// By patch: whether it is folded where that counts.
+    [[nodiscard]] std::vector<bool> foldedPatches() const;
     /// Whether a patch is folded where that counts.
     [[nodiscard]] bool isFolded() const;
     /// The score of the present patches.
@@ -51,8 +55,10 @@ public:
     /// Goes back to an earlier round.
     void restore(const FitRound& round);
 
-    /// Moves plane patches into their planes, as far as these can be reached, and measures all patches again.
-    void flatten(const std::vector<std::optional<FlatPatch>>& planes);
+    /// Moves plane patches into their planes, solves for the others around them, and measures all again.
+    /// \param planes  by patch; those that cannot be reached are dropped
+    /// \return false if they were in their planes before; then nothing has changed
+    bool flatten(std::vector<std::optional<FlatPatch>>& planes, int slides);
 
     /// Increases the weights of points that are too far away, so that the largest error decides and not the
     /// mean.
@@ -93,7 +99,6 @@ private:
     parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const;
     [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const;
     [[nodiscard]] bool isSolvedWith(const KnotPlan& plan) const;
-    [[nodiscard]] std::vector<bool> foldedPatches() const;
     [[nodiscard]] FitLattice evenLattice(std::size_t patch) const;
     [[nodiscard]] std::vector<FitLattice> evenLattices() const;
     bool allowShorter() { return allow(MinInterval::eighth) || allow(MinInterval::thirtySecond); }

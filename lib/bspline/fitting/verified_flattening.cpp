@@ -1,6 +1,5 @@
 #include "bspline/fitting/verified_flattening.h"
 
-#include "bspline/fitting/planes/flattening.h"
 #include "bspline/fitting/system/free_patches.h"
 
 #include <algorithm>
@@ -8,36 +7,40 @@
 #include <utility>
 
 namespace qm {
-namespace {
 
-/// Drops the planes of spoiled patches and of those beside them.
-/// \return whether there are any
-bool dropSpoiled(const std::vector<Stretch>& stretches, const std::vector<bool>& isSpoiled,
-                 std::vector<std::optional<FlatPatch>>& planes) {
-    const std::vector<bool> dropped = withNeighbours(stretches, isSpoiled, 1);
-    for (std::size_t patch = 0; patch < planes.size(); ++patch)
-        if (dropped[patch]) planes[patch].reset();
-    return std::ranges::find(isSpoiled, true) != isSpoiled.end();
+bool dropPlanes(const std::vector<Stretch>& stretches, std::vector<bool> isSpoiled,
+                std::vector<std::optional<FlatPatch>>& planes) {
+    constexpr int maxRings = 2; // patches farther away are not moved
+    if (std::ranges::find(isSpoiled, true) == isSpoiled.end()) return false;
+    bool areDropped = false;
+    for (int ring = 0; ring <= maxRings && !areDropped; ++ring) {
+        if (ring > 0) isSpoiled = withNeighbours(stretches, std::move(isSpoiled), 1);
+        for (std::size_t patch = 0; patch < planes.size(); ++patch)
+            if (isSpoiled[patch] && planes[patch]) {
+                planes[patch].reset();
+                areDropped = true;
+            }
+    }
+    return true;
 }
 
-} // namespace
-
-void flattenWhereKept(const FitProblem& problem, std::vector<std::optional<FlatPatch>> planes,
-                      FitRound& round, unsigned jobs) {
+void flattenWhereKept(const Verification& verify, int slides, std::vector<std::optional<FlatPatch>>& planes,
+                      FitState& state, FitRound& round) {
     constexpr int attempts = 5;
     constexpr double worse = 1.01; // times as far as before; less may be an error of measurement
-    const KnotPlan& plan = *round.plan;
-    const std::vector<PatchSpace> spaces = plan.spaces();
     for (int k = 0; k < attempts; ++k) {
-        std::vector<Patch> flat = round.patches;
-        flatten(problem.layout, plan, spaces, planes, flat, jobs);
-        std::vector<double> distances = problem.verify(flat);
-        std::vector<bool> isSpoiled(flat.size());
-        for (std::size_t patch = 0; patch < flat.size(); ++patch)
-            isSpoiled[patch] = distances[patch] > std::max(1.0, worse * round.distances[patch]);
-        if (dropSpoiled(plan.stretches(), isSpoiled, planes)) continue;
-        round.patches = std::move(flat);
-        round.distances = std::move(distances);
+        state.restore(round);
+        const std::vector<bool> wasFolded = state.foldedPatches();
+        if (!state.flatten(planes, slides)) return;
+        const std::vector<bool> isFolded = state.foldedPatches();
+        FitRound flat = state.round();
+        flat.distances = verify(flat.patches);
+        std::vector<bool> isSpoiled(flat.patches.size());
+        for (std::size_t patch = 0; patch < isSpoiled.size(); ++patch)
+            isSpoiled[patch] = (isFolded[patch] && !wasFolded[patch]) ||
+                               flat.distances[patch] > std::max(1.0, worse * round.distances[patch]);
+        if (dropPlanes(flat.plan->stretches(), std::move(isSpoiled), planes)) continue;
+        round = std::move(flat);
         return;
     }
 }

@@ -3,6 +3,7 @@
 
 #include "bspline/fitting/fit_problem.h"
 #include "bspline/fitting/fit_round.h"
+#include "bspline/fitting/fit_state.h"
 #include "bspline/fitting/planes/flat_patches.h"
 
 #include <optional>
@@ -10,12 +11,20 @@
 
 namespace qm {
 
-/// Flattens the patches of a round (see `flatten`) and verifies them anew. The planes of patches that this
-/// pushes beyond the tolerance are dropped, with those of their neighbours, until none is; if some always
-/// are, the round stays as it is.
+/// Drops the planes of patches that planes have spoiled, or if none of these has one, the planes nearest to
+/// them.
 /// \param planes  by patch
+/// \return whether any patch is spoiled
+bool dropPlanes(const std::vector<Stretch>& stretches, std::vector<bool> isSpoiled,
+                std::vector<std::optional<FlatPatch>>& planes);
+
+/// Flattens the patches of a round (see `FitState::flatten`) and verifies them anew. Planes are dropped where
+/// this folds patches or pushes them beyond the tolerance, until it does so nowhere; if it always does, the
+/// round stays as it is.
+/// \param planes  by patch; those dropped are gone
+/// \param state   is at any round afterwards
 /// \param round   with verified distances
-void flattenWhereKept(const FitProblem& problem, std::vector<std::optional<FlatPatch>> planes,
-                      FitRound& round, unsigned jobs);
+void flattenWhereKept(const Verification& verify, int slides, std::vector<std::optional<FlatPatch>>& planes,
+                      FitState& state, FitRound& round);
 
 } // namespace qm

@@ -13,11 +13,13 @@
 namespace qm {
 
 /// Moves all control points of the plane patches into their planes, and changes the patches around them as
-/// little as the continuity equations require (docs/METHOD.md#plane-patches). What contradicts its neighbours
-/// is dropped, straight outlines before planes.
+/// little as the continuity equations require (docs/METHOD.md#plane-patches). Straight outlines are dropped
+/// before planes.
 /// \param spaces  the spline spaces of the patches
+/// \param flat    by patch; what turns out to contradict its neighbours is dropped from it
 /// \param jobs    threads; the result does not depend on their number
-void flatten(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
-             std::vector<std::optional<FlatPatch>> flat, std::vector<Patch>& patches, unsigned jobs);
+/// \return whether a point was moved
+bool flatten(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
+             std::vector<std::optional<FlatPatch>>& flat, std::vector<Patch>& patches, unsigned jobs);
 
 } // namespace qm

@@ -1,24 +1,30 @@
 #include "bspline/fitting/planes/min_change.h"
 
+#include "base/at.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace qm {
 namespace {
 
-std::vector<Eigen::Triplet<double>> identity(Eigen::Index size) {
+/// A diagonal matrix in which each value is repeated.
+std::vector<Eigen::Triplet<double>> diagonal(const std::vector<double>& values, std::size_t times) {
     std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index k = 0; k < size; ++k)
-        entries.emplace_back(static_cast<int>(k), static_cast<int>(k), 1);
+    for (const double value : values)
+        for (std::size_t k = 0; k < times; ++k) {
+            const int place = static_cast<int>(entries.size());
+            entries.emplace_back(place, place, value);
+        }
     return entries;
 }
 
-Eigen::Index row(const PlaneDemand& demand) {
-    return static_cast<Eigen::Index>(demand.unknown);
+Eigen::Index row(std::size_t point) {
+    return static_cast<Eigen::Index>(point);
 }
 
 constexpr std::size_t coordinates = 3;
@@ -42,37 +48,61 @@ LinearForm height(const PlaneDemand& demand) {
     return form;
 }
 
+/// The same demands of sets of points, without those that are equal.
+std::vector<PlaneDemand> distinct(std::vector<PlaneDemand> demands, const std::vector<std::size_t>& setOf) {
+    for (PlaneDemand& demand : demands)
+        demand.unknown = setOf[demand.unknown];
+    const auto key = [](const PlaneDemand& demand) {
+        const auto& [normal, offset] = demand.plane;
+        return std::tuple(demand.unknown, normal[0], normal[1], normal[2], offset);
+    };
+    std::ranges::sort(demands, {}, key);
+    const auto isEqual = [&](const PlaneDemand& a, const PlaneDemand& b) { return key(a) == key(b); };
+    demands.erase(std::unique(demands.begin(), demands.end(), isEqual), demands.end());
+    return demands;
+}
+
 /// By demand: the coordinate of its point along the normal of its plane.
 Eigen::VectorXd heights(const std::vector<PlaneDemand>& demands, const Eigen::MatrixX3d& points) {
     Eigen::VectorXd result(static_cast<Eigen::Index>(demands.size()));
     for (std::size_t k = 0; k < demands.size(); ++k)
         result[static_cast<Eigen::Index>(k)] =
-            points.row(row(demands[k])).dot(vector(demands[k].plane.normal));
+            points.row(row(demands[k].unknown)).dot(vector(demands[k].plane.normal));
     return result;
 }
 
 } // namespace
 
 MinChange::MinChange(std::size_t unknowns, std::vector<LinearForm> equations)
-    : unknowns_(static_cast<Eigen::Index>(unknowns)), equations_(std::move(equations)),
-      allowed_(unknowns, identity(unknowns_), equations_, {}, 1) {}
+    : equations_(std::move(equations)), tied_(tiedPoints(unknowns, equations_)),
+      allowed_(tied_.sizes.size(), diagonal(tied_.sizes, 1), tied_.equations, {}, 1) {}
 
 Eigen::MatrixX3d MinChange::run(const std::vector<PlaneDemand>& demands,
                                 const Eigen::MatrixX3d& points) const {
+    const Eigen::Index sets = row(tied_.sizes.size());
+    Eigen::MatrixX3d pointOf(sets, 3);
+    for (std::size_t k = 0; k < tied_.setOf.size(); ++k)
+        pointOf.row(row(tied_.setOf[k])) = points.row(row(k));
+    const std::vector<PlaneDemand> ofSets = distinct(demands, tied_.setOf);
+
     std::vector<LinearForm> forms;
-    forms.reserve(coordinates * equations_.size() + demands.size());
-    for (const LinearForm& equation : equations_)
+    forms.reserve(coordinates * tied_.equations.size() + ofSets.size());
+    for (const LinearForm& equation : tied_.equations)
         for (std::size_t k = 0; k < coordinates; ++k)
             forms.push_back(ofCoordinate(equation, k));
-    std::ranges::transform(demands, std::back_inserter(forms), height);
-    const Eigen::VectorXd missing = missingHeights(demands, points);
-    Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(forms.size()), 3);
+    std::ranges::transform(ofSets, std::back_inserter(forms), height);
+    const Eigen::VectorXd missing = missingHeights(ofSets, pointOf);
+    Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(row(forms.size()), 3);
     constants.col(0).tail(missing.size()) = missing; // the other columns are not needed
-    const Eigen::Index all = 3 * unknowns_;
-    const ConstrainedSystem system(static_cast<std::size_t>(all), identity(all), forms, constants, 1);
+    const Eigen::Index all = 3 * sets;
+    const ConstrainedSystem system(at(all), diagonal(tied_.sizes, coordinates), forms, constants, 1);
     Eigen::MatrixX3d solution;
     system.improve(Eigen::MatrixX3d::Zero(all, 3), Accuracy::rounding, solution);
-    return points + allowed(solution.col(0).head(all).reshaped(3, unknowns_).transpose());
+    const Eigen::MatrixX3d change = allowed(solution.col(0).head(all).reshaped(3, sets).transpose());
+    Eigen::MatrixX3d moved = points;
+    for (std::size_t k = 0; k < tied_.setOf.size(); ++k)
+        moved.row(row(k)) += change.row(row(tied_.setOf[k]));
+    return moved;
 }
 
 double MinChange::violation(const Eigen::MatrixX3d& change) const {
@@ -86,11 +116,13 @@ double MinChange::violation(const Eigen::MatrixX3d& change) const {
     return largest;
 }
 
-/// The change that is nearest to the given one among those that the equations allow.
-Eigen::MatrixX3d MinChange::allowed(const Eigen::MatrixX3d& change) const {
+/// The change of sets that is nearest to the given one among those that the equations allow.
+Eigen::MatrixX3d MinChange::allowed(Eigen::MatrixX3d change) const {
+    for (std::size_t k = 0; k < tied_.sizes.size(); ++k)
+        change.row(row(k)) *= tied_.sizes[k];
     Eigen::MatrixX3d solution;
     allowed_.improve(change, Accuracy::rounding, solution);
-    return solution.topRows(unknowns_);
+    return solution.topRows(row(tied_.sizes.size()));
 }
 
 Eigen::VectorXd missingHeights(const std::vector<PlaneDemand>& demands, const Eigen::MatrixX3d& points) {

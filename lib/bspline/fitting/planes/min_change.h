@@ -1,6 +1,7 @@
 /// \file The smallest change of control points that moves some of them into planes.
 #pragma once
 
+#include "bspline/fitting/planes/tied_points.h"
 #include "bspline/network/border_strip.h"
 #include "bspline/reference/planes/plane_patches.h"
 #include "bspline/solver/constrained_system.h"
@@ -35,10 +36,10 @@ public:
     [[nodiscard]] double violation(const Eigen::MatrixX3d& change) const;
 
 private:
-    [[nodiscard]] Eigen::MatrixX3d allowed(const Eigen::MatrixX3d& change) const;
+    [[nodiscard]] Eigen::MatrixX3d allowed(Eigen::MatrixX3d change) const;
 
-    Eigen::Index unknowns_;
     std::vector<LinearForm> equations_;
+    TiedPoints tied_; ///< most points on borders are tied to others: half as many unknowns
     ConstrainedSystem allowed_;
 };
 

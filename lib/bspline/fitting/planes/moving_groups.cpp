@@ -1,0 +1,80 @@
+#include "bspline/fitting/planes/moving_groups.h"
+
+#include "base/disjoint_sets.h"
+#include "bspline/fitting/system/continuity_equations.h"
+#include "bspline/fitting/system/free_patches.h"
+#include "bspline/fitting/system/free_unknowns.h"
+
+#include <utility>
+
+namespace qm {
+namespace {
+
+std::vector<bool> movingPatches(const KnotPlan& plan, const std::vector<std::optional<FlatPatch>>& flat) {
+    std::vector<bool> moves(flat.size());
+    for (std::size_t k = 0; k < flat.size(); ++k)
+        moves[k] = flat[k].has_value();
+    return withNeighbours(plan.stretches(), std::move(moves), 2);
+}
+
+/// Divides the patches that move into groups without equations yet.
+/// \return by patch: its group; patches that stay have none
+std::vector<std::size_t> groupPatches(const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
+                                      const std::vector<bool>& moves, std::vector<MovingGroup>& groups) {
+    DisjointSets joined(spaces.size());
+    for (const Stretch& stretch : plan.stretches())
+        if (moves[stretch.sides[0].patch] && moves[stretch.sides[1].patch])
+            joined.join(stretch.sides[0].patch, stretch.sides[1].patch);
+    std::vector<std::size_t> groupOf(spaces.size());
+    std::vector<std::size_t> placeOf(spaces.size());
+    for (std::size_t patch = 0; patch < spaces.size(); ++patch) {
+        if (!moves[patch]) continue;
+        const std::size_t first = joined.find(patch);
+        if (first == patch) {
+            groupOf[patch] = groups.size();
+            groups.emplace_back();
+        }
+        MovingGroup& group = groups[groupOf[patch] = groupOf[first]];
+        placeOf[patch] = group.patches.size();
+        group.patches.push_back(patch);
+        group.unknowns += spaces[patch].size();
+    }
+    for (const Stretch& stretch : plan.stretches()) {
+        const std::size_t one = stretch.sides[0].patch;
+        const std::size_t other = stretch.sides[1].patch;
+        if (moves[one] && moves[other])
+            groups[groupOf[one]].neighbours.push_back({placeOf[one], placeOf[other]});
+    }
+    return groupOf;
+}
+
+} // namespace
+
+std::vector<MovingGroup> movingGroups(const Layout& layout, const KnotPlan& plan,
+                                      const std::vector<PatchSpace>& spaces,
+                                      const std::vector<std::optional<FlatPatch>>& flat) {
+    const std::vector<bool> moves = movingPatches(plan, flat);
+    std::vector<MovingGroup> groups;
+    const std::vector<std::size_t> groupOfPatch = groupPatches(plan, spaces, moves, groups);
+    // By moving unknown: its group, and its number within the group.
+    std::vector<std::size_t> groupOf;
+    std::vector<std::size_t> ofGroup;
+    std::vector<std::size_t> next(groups.size());
+    for (std::size_t patch = 0; patch < spaces.size(); ++patch)
+        for (std::size_t k = 0; moves[patch] && k < spaces[patch].size(); ++k) {
+            groupOf.push_back(groupOfPatch[patch]);
+            ofGroup.push_back(next[groupOfPatch[patch]]++);
+        }
+    const FreeUnknowns moving(spaces, moves);
+    for (const LinearForm& equation : continuityEquations(layout, plan, spaces, moves)) {
+        LinearForm form = moving.among(equation);
+        if (form.unknowns.empty()) continue;
+        MovingGroup& group = groups[groupOf[form.unknowns.front()]];
+        for (std::size_t& unknown : form.unknowns)
+            unknown = ofGroup[unknown];
+        group.equations.push_back(std::move(form));
+    }
+    return groups;
+}
+
+} // namespace qm

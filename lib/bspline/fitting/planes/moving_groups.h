@@ -1,0 +1,31 @@
+/// \file Which patches move when plane patches are moved into their planes, and what holds them together.
+#pragma once
+
+#include "bspline/fitting/knots/knot_plan.h"
+#include "bspline/fitting/planes/flat_patches.h"
+#include "bspline/network/border_strip.h"
+#include "layout/layout.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+/// Moving patches that are joined by equations, and are not joined to others.
+struct MovingGroup {
+    std::vector<std::size_t> patches;
+    std::vector<std::array<std::size_t, 2>> neighbours; ///< pairs that share a border, by place in `patches`
+    std::size_t unknowns = 0;                           ///< number of control points
+    std::vector<LinearForm> equations; ///< in the unknowns of the group's patches, one patch after the other
+};
+
+/// Divides the plane patches and those within two patches of them into groups; all others stay as they are.
+/// \param spaces  by patch
+/// \param flat    by patch: its plane, if it has one
+[[nodiscard]] std::vector<MovingGroup> movingGroups(const Layout& layout, const KnotPlan& plan,
+                                                    const std::vector<PatchSpace>& spaces,
+                                                    const std::vector<std::optional<FlatPatch>>& flat);
+
+} // namespace qm
