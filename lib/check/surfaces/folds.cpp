@@ -13,6 +13,16 @@ bool isTurned(const Vector& a, const Vector& b, double cosine) {
     return dot(a, b) < cosine * std::sqrt(dot(a, a) * dot(b, b));
 }
 
+/// Whether a quad is almost a triangle, with a corner in the middle of a side.
+bool hasFlatCorner(const BilinearQuad& quad) {
+    constexpr double flat = -0.966; // cosine of 165 degrees
+    for (std::size_t k = 0; k < 4; ++k)
+        if (isTurned(minus(quad.corners[(k + 1) % 4], quad.corners[k]),
+                     minus(quad.corners[(k + 3) % 4], quad.corners[k]), flat))
+            return true;
+    return false;
+}
+
 } // namespace
 
 const SurfacePoint& QuadSamples::at(int i, int j) const {
@@ -20,6 +30,7 @@ const SurfacePoint& QuadSamples::at(int i, int j) const {
 }
 
 bool isFolded(const BilinearQuad& quad, const QuadSamples& samples) {
+    if (hasFlatCorner(quad)) return false;
     const auto normal = [&](int i, int j) {
         const SurfacePoint& there = samples.at(i, j);
         return cross(there.alongU, there.alongV);

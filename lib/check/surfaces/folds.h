@@ -22,7 +22,8 @@ struct QuadSamples {
 
 /// Whether the surface's normal looks away from the quad's in the middle, or turns over from one sample to
 /// the next. The corners of the quad are left out: where its sides are almost one line, a patch has hardly a
-/// normal there.
+/// normal there. Nothing is asked of a quad with a corner above 165 degrees: all surfaces through its sides
+/// turn over beside it.
 [[nodiscard]] bool isFolded(const BilinearQuad& quad, const QuadSamples& samples);
 
 /// Whether a quad lies against one beside it, so that no surface should follow both.

@@ -27,8 +27,8 @@ TEST(BilinearQuad, IsNotConvexWithAReflexCorner) {
     EXPECT_FALSE((BilinearQuad{{{{0, 0, 0}, {1, 0, 0}, {0.2, 0.2, 0}, {0, 1, 0}}}}.isConvex()));
 }
 
-/// Samples above the unit square of a surface whose normals are given.
-bool folds(const std::function<Vector(double, double)>& normalAt) {
+/// Samples above a quad of a surface whose normals are given.
+bool folds(const std::function<Vector(double, double)>& normalAt, const BilinearQuad& quad = unitSquare) {
     std::vector<SurfacePoint> points;
     // Samples of the quads before and behind the tested one do not count.
     constexpr int width = 3 * samplesPerEdge + 1;
@@ -43,7 +43,7 @@ bool folds(const std::function<Vector(double, double)>& normalAt) {
             point.alongV = {0, 1, 0};
             points.push_back(point);
         }
-    return isFolded(unitSquare, {points, width, samplesPerEdge});
+    return isFolded(quad, {points, width, samplesPerEdge});
 }
 
 Vector leaning(double degrees) {
@@ -72,6 +72,15 @@ TEST(CheckFolds, LeaveTheCornersOut) {
     };
     EXPECT_FALSE(folds([&](double s, double t) { return leaning(isAt(1, 1, s, t) ? 180 : 0); }));
     EXPECT_TRUE(folds([&](double s, double t) { return leaning(isAt(1, 0.75, s, t) ? 180 : 0); }));
+}
+
+TEST(CheckFolds, AskNothingOfAQuadThatIsAlmostATriangle) {
+    const auto turningOver = [](double s, double) { return leaning(s > 0.7 ? 180 : 0); };
+    const auto withCornerAt = [](double x) {
+        return BilinearQuad{{{{0, 0, 0}, {1, 0, 0}, {x, x, 0}, {0, 1, 0}}}};
+    };
+    EXPECT_TRUE(folds(turningOver, withCornerAt(0.6))) << "157 degrees";
+    EXPECT_FALSE(folds(turningOver, withCornerAt(0.55))) << "169 degrees";
 }
 
 TEST(CheckFolds, AskNothingOfAQuadThatLiesAgainstAnother) {
