@@ -102,21 +102,20 @@ private:
         const double t = static_cast<double>(j) / samplesPerEdge;
         const Place of = cell.quad.at(s, t);
         const double plain = distance(of, on);
-        const Parameters parameters{cell.column + s, cell.row + t};
         const double rounding = 1e-12 * largestCoordinate(cell.quad.corners);
         const auto slackOf = [&](double stated) { return rounding + unsure * stated; };
         if (fromFacets_ && plain > *fromFacets_ + slackOf(*fromFacets_)) {
             const double slack = slackOf(*fromFacets_);
             const double limit = *fromFacets_ + slack;
             double error = distances_.toMesh.from(on, cell.face, startIn(cell, s, t), limit);
-            if (error <= limit) error = distances_.toSurfaces.from(of, patch_, parameters, limit);
+            if (error <= limit) error = distances_.toSurfaces.from(of, cell.face, {s, t}, limit);
             if (checkFigure(part_, patch_, {"maxFromFacets", error, slack, placeOf(cell)}, report_))
                 return true;
         }
         const bool atVertex = i % samplesPerEdge == 0 && j % samplesPerEdge == 0;
         if (!atVertex || !fromVertices_ || plain <= *fromVertices_ + slackOf(*fromVertices_)) return false;
         const double slack = slackOf(*fromVertices_);
-        const double error = distances_.toSurfaces.from(of, patch_, parameters, *fromVertices_ + slack);
+        const double error = distances_.toSurfaces.from(of, cell.face, {s, t}, *fromVertices_ + slack);
         return checkFigure(part_, patch_, {"maxFromVertices", error, slack, placeOf(cell)}, report_);
     }
 
@@ -164,7 +163,7 @@ private:
 
 void checkFigures(const Context& context, const LayoutPart& layout, const SurfacesPart& part, unsigned jobs,
                   Report& report) {
-    const Distances distances{DistanceToMesh(context.mesh), {context.mesh, layout, part}};
+    const Distances distances{{context.mesh, context.around}, {context.mesh, context.around, layout, part}};
     std::vector<Report> ofPatch(part.patches.size());
     parallelFor(ofPatch.size(), jobs, [&](std::size_t patch) {
         PatchCheck(context, layout, part, patch, distances, ofPatch[patch]).run();

@@ -69,8 +69,8 @@ struct Spread {
 class Measurement {
 public:
     Measurement(const CheckedMesh& mesh, const CheckedDocument& document)
-        : mesh_(mesh), around_(mesh), toMesh_(mesh), layout_(*document.layout), part_(*document.surfaces),
-          borders_(patchBorders(around_, layout_)), sharp_(borders_.size(), 0) {
+        : mesh_(mesh), around_(mesh), toMesh_(mesh_, around_), layout_(*document.layout),
+          part_(*document.surfaces), borders_(patchBorders(around_, layout_)), sharp_(borders_.size(), 0) {
         markCreases();
         findDiagonal();
         findBad();

@@ -74,6 +74,23 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
     return min;
 }
 
+/// The smaller one of a distance and those from the middles of the faces beside a face, up to the first
+/// within a limit: where surfaces have slid a little, the nearest point is there.
+/// \param search  from the middle of a face, for a distance
+template <class Search>
+double nearestBeside(const CheckedMesh& mesh, const Neighbourhoods& around, int face, double nearest,
+                     double limit, const Search& search) {
+    const auto& corners = mesh.quads[at(face)];
+    for (std::size_t k = 0; k < corners.size() && nearest > limit; ++k) {
+        const int step = around.stepBetween(corners[(k + 1) % corners.size()], corners[k]);
+        if (const int beside = around.leftFace(step); beside >= 0)
+            nearest = std::min(nearest, search(beside));
+    }
+    return nearest;
+}
+
+constexpr Parameters middle{0.5, 0.5};
+
 } // namespace
 
 double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point,
@@ -94,25 +111,43 @@ double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, 
                    {max(0), max(1)}, point, enough);
 }
 
-DistanceToMesh::DistanceToMesh(const CheckedMesh& mesh)
-    : mesh_(mesh), starts_(mesh.quads.size(), [this](std::size_t face, const Parameters& parameters) {
-          return quadOf(mesh_, static_cast<int>(face)).at(parameters[0], parameters[1]);
+DistanceToMesh::DistanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around)
+    : mesh_(mesh), around_(around),
+      starts_(mesh.quads.size(), [this](std::size_t face, const auto& parameters) {
+          const BilinearQuad quad = quadOf(mesh_, static_cast<int>(face));
+          std::vector<Place> places;
+          for (const double t : parameters)
+              for (const double s : parameters)
+                  places.push_back(quad.at(s, t));
+          return places;
       }) {}
 
 double DistanceToMesh::from(const Place& point, int face, const Parameters& start, double limit) const {
     const double first = distanceToFace(mesh_, face, start, point, limit);
-    if (first <= limit) return first;
-    return starts_.nearest(point, first, limit, [&](const Start& other) {
+    const double near = nearestBeside(mesh_, around_, face, first, limit, [&](int beside) {
+        return distanceToFace(mesh_, beside, middle, point, limit);
+    });
+    if (near <= limit) return near;
+    return starts_.nearest(point, near, limit, [&](const Start& other) {
         return distanceToFace(mesh_, static_cast<int>(other.part), other.parameters, point, limit);
     });
 }
 
-DistanceToSurfaces::DistanceToSurfaces(const CheckedMesh& mesh, const LayoutPart& layout,
-                                       const SurfacesPart& part)
-    : part_(part), places_(mesh.quads.size()),
-      starts_(mesh.quads.size(), [this](std::size_t face, const Parameters& within) {
-          const auto [u, v] = inPatch(face, within);
-          return evaluate(part_.patches[places_[face].patch], u, v).point;
+DistanceToSurfaces::DistanceToSurfaces(const CheckedMesh& mesh, const Neighbourhoods& around,
+                                       const LayoutPart& layout, const SurfacesPart& part)
+    : mesh_(mesh), around_(around), part_(part), places_(mesh.quads.size()),
+      starts_(mesh.quads.size(), [this](std::size_t face, const auto& parameters) {
+          std::vector<double> us;
+          std::vector<double> vs;
+          for (const double within : parameters) {
+              const auto [u, v] = inPatch(face, {within, within});
+              us.push_back(u);
+              vs.push_back(v);
+          }
+          std::vector<Place> places;
+          for (const SurfacePoint& there : evaluateLattice(part_.patches[places_[face].patch], us, vs))
+              places.push_back(there.point);
+          return places;
       }) {
     for (std::size_t p = 0; p < layout.segments.size(); ++p) {
         const auto& segment = layout.segments[p];
@@ -122,14 +157,20 @@ DistanceToSurfaces::DistanceToSurfaces(const CheckedMesh& mesh, const LayoutPart
     }
 }
 
-double DistanceToSurfaces::from(const Place& point, std::size_t patch, const Parameters& parameters,
-                                double limit) const {
-    const double first = distanceToPatch(part_.patches[patch], parameters, point, limit);
-    if (first <= limit) return first;
-    return starts_.nearest(point, first, limit, [&](const Start& start) {
-        return distanceToPatch(part_.patches[places_[start.part].patch],
-                               inPatch(start.part, start.parameters), point, limit);
+double DistanceToSurfaces::from(const Place& point, int face, const Parameters& within, double limit) const {
+    const double first = overFace(point, at(face), within, limit);
+    const double near = nearestBeside(mesh_, around_, face, first, limit,
+                                      [&](int beside) { return overFace(point, at(beside), middle, limit); });
+    if (near <= limit) return near;
+    return starts_.nearest(point, near, limit, [&](const Start& start) {
+        return overFace(point, start.part, start.parameters, limit);
     });
+}
+
+/// From a point to the patch over a face.
+double DistanceToSurfaces::overFace(const Place& point, std::size_t face, const Parameters& within,
+                                    double limit) const {
+    return distanceToPatch(part_.patches[places_[face].patch], inPatch(face, within), point, limit);
 }
 
 Parameters DistanceToSurfaces::inPatch(std::size_t face, const Parameters& within) const {

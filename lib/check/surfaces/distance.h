@@ -26,31 +26,33 @@ namespace qm::check {
 /// From points to a mesh whose quads are bilinear.
 class DistanceToMesh {
 public:
-    /// \param mesh  must outlive this
-    explicit DistanceToMesh(const CheckedMesh& mesh);
+    /// Both must outlive this.
+    DistanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around);
 
-    /// To a face, and if that is farther than the limit, to whatever may be nearer. Never less than the true
-    /// distance.
+    /// To a face, and if that is farther than the limit, to those beside it, then to whatever may be nearer.
+    /// Never less than the true distance.
     /// \param start  parameters in the face
     [[nodiscard]] double from(const Place& point, int face, const Parameters& start, double limit = 0) const;
 
 private:
     const CheckedMesh& mesh_;
+    const Neighbourhoods& around_;
     SearchStarts starts_; ///< on faces
 };
 
 /// Knows which patch lies over every face.
 class DistanceToSurfaces {
 public:
-    /// \param part  must outlive this
-    DistanceToSurfaces(const CheckedMesh& mesh, const LayoutPart& layout, const SurfacesPart& part);
+    /// All but the layout must outlive this.
+    DistanceToSurfaces(const CheckedMesh& mesh, const Neighbourhoods& around, const LayoutPart& layout,
+                       const SurfacesPart& part);
 
-    /// From a point to a patch, and if that is farther than the limit, to whatever may be nearer: surfaces
-    /// may slide into other patches, a patch may meet itself, and a reference of another shape draws surfaces
-    /// away from their faces. Never less than the true distance.
-    /// \param parameters  of the point in the patch, about
-    [[nodiscard]] double from(const Place& point, std::size_t patch, const Parameters& parameters,
-                              double limit) const;
+    /// From a point to the patch over a face, and if that is farther than the limit, to what lies over the
+    /// faces beside it, then to whatever may be nearer: surfaces may slide into other patches, a patch may
+    /// meet itself, and a reference of another shape draws surfaces away from their faces. Never less than
+    /// the true distance.
+    /// \param within  the face: both parameters from 0 to 1, in the order of its patch
+    [[nodiscard]] double from(const Place& point, int face, const Parameters& within, double limit) const;
 
 private:
     struct FacePlace {
@@ -59,9 +61,12 @@ private:
         int row = 0;
     };
 
-    /// \param within  the face: both parameters from 0 to 1
+    [[nodiscard]] double overFace(const Place& point, std::size_t face, const Parameters& within,
+                                  double limit) const;
     [[nodiscard]] Parameters inPatch(std::size_t face, const Parameters& within) const;
 
+    const CheckedMesh& mesh_;
+    const Neighbourhoods& around_;
     const SurfacesPart& part_;
     std::vector<FacePlace> places_; ///< by face
     SearchStarts starts_;           ///< over faces

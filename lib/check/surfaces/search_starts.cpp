@@ -7,6 +7,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <utility>
 
@@ -15,13 +16,11 @@ namespace {
 
 namespace index = boost::geometry::index;
 
-/// Of the lattice on a part.
-constexpr std::size_t steps = 4;
+/// The parameters of the lattice on a part.
+constexpr std::array lattice{0.0, 0.25, 0.5, 0.75, 1.0};
 
 Parameters latticeParameters(std::size_t k) {
-    const std::size_t column = k % (steps + 1);
-    const std::size_t row = k / (steps + 1);
-    return {static_cast<double>(column) / steps, static_cast<double>(row) / steps};
+    return {lattice[k % lattice.size()], lattice[k / lattice.size()]};
 }
 
 using TreePoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
@@ -47,9 +46,9 @@ Extent extentOf(const std::vector<Place>& places) {
 }
 
 /// How far the surface may go from the nearest place of a lattice.
-double reachOf(const Extent& lattice) {
+double reachOf(const Extent& extent) {
     constexpr double bulge = 1.5; // steps
-    return bulge * distance(lattice.low, lattice.high) / steps;
+    return bulge * distance(extent.low, extent.high) / (lattice.size() - 1);
 }
 
 Box grown(Extent extent, double by) {
@@ -86,17 +85,14 @@ private:
     index::rtree<Entry, index::linear<16>> tree_;
 };
 
-SearchStarts::SearchStarts(std::size_t parts, PlaceOn placeOn)
-    : parts_(parts), placeOn_(std::move(placeOn)) {}
+SearchStarts::SearchStarts(std::size_t parts, LatticeOn latticeOn)
+    : parts_(parts), latticeOn_(std::move(latticeOn)) {}
 
 SearchStarts::~SearchStarts() = default;
 
 /// Places on a part, row by row.
 std::vector<Place> SearchStarts::latticeOn(std::size_t part) const {
-    std::vector<Place> places;
-    for (std::size_t k = 0; k < (steps + 1) * (steps + 1); ++k)
-        places.push_back(placeOn_(part, latticeParameters(k)));
-    return places;
+    return latticeOn_(part, lattice);
 }
 
 std::vector<Start> SearchStarts::within(double distance, const Place& point) const {

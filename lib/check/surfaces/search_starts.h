@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 namespace qm::check {
@@ -24,10 +25,10 @@ struct Start {
 /// Knows a lattice of places on every part. May be used by several threads.
 class SearchStarts {
 public:
-    using PlaceOn = std::function<Place(std::size_t part, const Parameters& parameters)>;
+    /// The places on a part at all pairs of some parameters, the first parameter running faster.
+    using LatticeOn = std::function<std::vector<Place>(std::size_t part, std::span<const double> parameters)>;
 
-    /// \param placeOn  a place on a part
-    SearchStarts(std::size_t parts, PlaceOn placeOn);
+    SearchStarts(std::size_t parts, LatticeOn latticeOn);
     ~SearchStarts();
 
     /// All starts whose reach leads to something nearer to the point than a distance, the nearest first:
@@ -55,7 +56,7 @@ private:
     [[nodiscard]] const Boxes& boxes() const;
 
     std::size_t parts_;
-    PlaceOn placeOn_;
+    LatticeOn latticeOn_;
     mutable std::once_flag once_;
     mutable std::unique_ptr<const Boxes> boxes_; ///< around the parts; made when needed
 };

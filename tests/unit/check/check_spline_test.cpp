@@ -93,7 +93,8 @@ TEST(CheckSpline, StandsRepeatedKnotsInside) {
 
 TEST(CheckDistance, ToAMeshIsThatToItsNearestFace) {
     const CheckedMesh mesh = plane({"xxxx", "xxxx"});
-    const DistanceToMesh distance(mesh);
+    const Neighbourhoods around(mesh);
+    const DistanceToMesh distance(mesh, around);
     const Parameters middle{0.5, 0.5};
     EXPECT_NEAR(distance.from({3.3, 1.6, 0.25}, 0, middle), 0.25, 1e-12);
     EXPECT_NEAR(distance.from({0.5, -0.3, 0.4}, 0, middle), 0.5, 1e-12);
@@ -103,7 +104,8 @@ TEST(CheckDistance, ToAMeshIsThatToItsNearestFace) {
 TEST(CheckDistance, ToABilinearFace) {
     CheckedMesh mesh = plane({"x"});
     mesh.points[2][2] = 1; // a saddle: z = x y
-    const DistanceToMesh distance(mesh);
+    const Neighbourhoods around(mesh);
+    const DistanceToMesh distance(mesh, around);
     const Place middle = quadOf(mesh, 0).at(0.5, 0.5);
     EXPECT_EQ(middle, (Place{0.5, 0.5, 0.25}));
     EXPECT_NEAR(distance.from(middle, 0, {0, 0}), 0, 1e-12);
