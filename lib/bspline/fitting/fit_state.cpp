@@ -285,7 +285,7 @@ void FitState::restore(const FitRound& round) {
 }
 
 bool FitState::flatten(std::vector<std::optional<FlatPatch>>& planes, int slides) {
-    if (!qm::flatten(layout_, plan_, spaces_, planes, patches_, jobs_)) return false;
+    if (!qm::flatten(layout_, plan_, planes, patches_, jobs_)) return false;
     std::vector<bool> isFree(planes.size());
     for (std::size_t k = 0; k < planes.size(); ++k)
         isFree[k] = planes[k].has_value();

@@ -3,7 +3,6 @@
 
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/planes/flat_patches.h"
-#include "bspline/network/border_strip.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
@@ -15,11 +14,10 @@ namespace qm {
 /// Moves all control points of the plane patches into their planes, and changes the patches around them as
 /// little as the continuity equations require (docs/METHOD.md#plane-patches). Straight outlines are dropped
 /// before planes.
-/// \param spaces  the spline spaces of the patches
 /// \param flat    by patch; what turns out to contradict its neighbours is dropped from it
 /// \param jobs    threads; the result does not depend on their number
 /// \return whether a point was moved
-bool flatten(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
-             std::vector<std::optional<FlatPatch>>& flat, std::vector<Patch>& patches, unsigned jobs);
+bool flatten(const Layout& layout, const KnotPlan& plan, std::vector<std::optional<FlatPatch>>& flat,
+             std::vector<Patch>& patches, unsigned jobs);
 
 } // namespace qm

@@ -1,12 +1,9 @@
 #include "bspline/fitting/planes/group_flattening.h"
 
-#include "base/at.h"
 #include "bspline/fitting/planes/min_change.h"
 #include "bspline/splines/eigen_point.h"
-#include "layout/sides.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -72,26 +69,14 @@ private:
         std::size_t first = 0;
         for (std::size_t place = 0; place < group_.patches.size(); ++place) {
             const std::size_t patch = group_.patches[place];
-            if (flat_[patch]) addOf(place, first, result);
+            if (flat_[patch])
+                for (const PlaneDemand& demand : demandsOf(patches_[patch], *flat_[patch], first)) {
+                    result.planes.push_back(demand);
+                    result.placeOf.push_back(place);
+                }
             first += patches_[patch].controlPoints.size();
         }
         return result;
-    }
-
-    /// Adds what a plane patch demands, whose first control point has the number `first`.
-    void addOf(std::size_t place, std::size_t first, Demands& result) const {
-        const std::size_t patch = group_.patches[place];
-        const auto add = [&](std::size_t k, const Plane& plane) {
-            result.planes.push_back({first + k, plane});
-            result.placeOf.push_back(place);
-        };
-        for (std::size_t k = 0; k < patches_[patch].controlPoints.size(); ++k)
-            add(k, flat_[patch]->plane);
-        const std::array<std::size_t, 2> count{at(patches_[patch].count[0]), at(patches_[patch].count[1])};
-        for (int side = 0; side < 4; ++side)
-            if (const auto& outline = flat_[patch]->outlines[at(side)])
-                for (std::size_t k = 0; k < count[directionAlong(side)]; ++k)
-                    add(pointOnSide(count, side, k), *outline);
     }
 
     /// Whether all demands are met already.

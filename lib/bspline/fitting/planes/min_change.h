@@ -1,9 +1,9 @@
 /// \file The smallest change of control points that moves some of them into planes.
 #pragma once
 
+#include "bspline/fitting/planes/plane_demands.h"
 #include "bspline/fitting/planes/tied_points.h"
 #include "bspline/network/border_strip.h"
-#include "bspline/reference/planes/plane_patches.h"
 #include "bspline/solver/constrained_system.h"
 
 #include <Eigen/Core>
@@ -12,12 +12,6 @@
 #include <vector>
 
 namespace qm {
-
-/// A control point that must lie in a plane.
-struct PlaneDemand {
-    std::size_t unknown = 0;
-    Plane plane;
-};
 
 /// Finds the change by one sparse system in which every coordinate is an unknown of its own, since planes mix
 /// them. The equations hold for the points before it and after it.
@@ -39,7 +33,7 @@ private:
     [[nodiscard]] Eigen::MatrixX3d allowed(Eigen::MatrixX3d change) const;
 
     std::vector<LinearForm> equations_;
-    TiedPoints tied_; ///< most points on borders are tied to others: half as many unknowns
+    TiedPoints tied_; ///< most points on borders are tied to others: fewer unknowns
     ConstrainedSystem allowed_;
 };
 

@@ -1,19 +1,27 @@
 #include "bspline/fitting/planes/moving_groups.h"
 
 #include "base/disjoint_sets.h"
+#include "bspline/fitting/planes/plane_demands.h"
 #include "bspline/fitting/system/continuity_equations.h"
 #include "bspline/fitting/system/free_patches.h"
 #include "bspline/fitting/system/free_unknowns.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace qm {
 namespace {
 
-std::vector<bool> movingPatches(const KnotPlan& plan, const std::vector<std::optional<FlatPatch>>& flat) {
+std::vector<bool> movingPatches(const KnotPlan& plan, const std::vector<std::optional<FlatPatch>>& flat,
+                                const std::vector<Patch>& patches) {
+    constexpr double rounding = 1e-8; // relative to the largest coordinate; planes may contradict by as much
+    double largest = 0;
+    for (const Patch& patch : patches)
+        for (const Point& point : patch.controlPoints)
+            largest = std::max(largest, point.max_abs());
     std::vector<bool> moves(flat.size());
     for (std::size_t k = 0; k < flat.size(); ++k)
-        moves[k] = flat[k].has_value();
+        moves[k] = flat[k] && !isFlat(patches[k], *flat[k], rounding * largest);
     return withNeighbours(plan.stretches(), std::move(moves), 2);
 }
 
@@ -51,9 +59,10 @@ std::vector<std::size_t> groupPatches(const KnotPlan& plan, const std::vector<Pa
 } // namespace
 
 std::vector<MovingGroup> movingGroups(const Layout& layout, const KnotPlan& plan,
-                                      const std::vector<PatchSpace>& spaces,
-                                      const std::vector<std::optional<FlatPatch>>& flat) {
-    const std::vector<bool> moves = movingPatches(plan, flat);
+                                      const std::vector<std::optional<FlatPatch>>& flat,
+                                      const std::vector<Patch>& patches) {
+    const std::vector<bool> moves = movingPatches(plan, flat, patches);
+    const std::vector<PatchSpace> spaces = plan.spaces();
     std::vector<MovingGroup> groups;
     const std::vector<std::size_t> groupOfPatch = groupPatches(plan, spaces, moves, groups);
     // By moving unknown: its group, and its number within the group.

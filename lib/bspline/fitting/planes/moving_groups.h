@@ -4,6 +4,7 @@
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/planes/flat_patches.h"
 #include "bspline/network/border_strip.h"
+#include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
 #include <array>
@@ -21,11 +22,12 @@ struct MovingGroup {
     std::vector<LinearForm> equations; ///< in the unknowns of the group's patches, one patch after the other
 };
 
-/// Divides the plane patches and those within two patches of them into groups; all others stay as they are.
-/// \param spaces  by patch
-/// \param flat    by patch: its plane, if it has one
+/// Divides the plane patches that are not in their planes and those within two patches of them into groups;
+/// all others stay as they are.
+/// \param flat     by patch: its plane, if it has one
+/// \param patches  with the knots of the plan
 [[nodiscard]] std::vector<MovingGroup> movingGroups(const Layout& layout, const KnotPlan& plan,
-                                                    const std::vector<PatchSpace>& spaces,
-                                                    const std::vector<std::optional<FlatPatch>>& flat);
+                                                    const std::vector<std::optional<FlatPatch>>& flat,
+                                                    const std::vector<Patch>& patches);
 
 } // namespace qm
