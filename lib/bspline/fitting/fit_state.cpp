@@ -44,6 +44,14 @@ struct Emphasis {
     static constexpr double max = 100;
 };
 
+/// By patch: whether its errors are of some kind.
+template <class OfKind>
+std::vector<bool> marked(const std::vector<PatchErrors>& errors, const OfKind& isOfKind) {
+    std::vector<bool> marks(errors.size());
+    std::transform(errors.begin(), errors.end(), marks.begin(), isOfKind);
+    return marks;
+}
+
 } // namespace
 
 FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
@@ -238,17 +246,11 @@ void FitState::assess(const std::vector<bool>& isNew) {
 }
 
 std::vector<bool> FitState::foldedPatches() const {
-    std::vector<bool> folded;
-    for (const PatchErrors& errors : errors_)
-        folded.push_back(errors.anyFolded());
-    return folded;
+    return marked(errors_, [](const PatchErrors& errors) { return errors.anyFolded(); });
 }
 
 std::vector<bool> FitState::missingPatches() const {
-    std::vector<bool> missing;
-    for (const PatchErrors& errors : errors_)
-        missing.push_back(errors.max() > 1);
-    return missing;
+    return marked(errors_, [](const PatchErrors& errors) { return errors.max() > 1; });
 }
 
 bool FitState::isFolded() const {

@@ -57,7 +57,8 @@ public:
 
     /// Moves plane patches into their planes, solves for the others around them, and measures all again.
     /// \param planes  by patch; those that cannot be reached are dropped
-    /// \return false if they were in their planes before; then nothing has changed
+    /// \return false if no point was moved, since all were in their planes or none can be; then no patch has
+    /// changed
     bool flatten(std::vector<std::optional<FlatPatch>>& planes, int slides);
 
     /// Increases the weights of points that are too far away, so that the largest error decides and not the

@@ -1,5 +1,6 @@
 #include "bspline/fitting/verified_flattening.h"
 
+#include "bspline/fitting/planes/moving_groups.h"
 #include "bspline/fitting/system/free_patches.h"
 
 #include <algorithm>
@@ -10,10 +11,9 @@ namespace qm {
 
 bool dropPlanes(const std::vector<Stretch>& stretches, std::vector<bool> isSpoiled,
                 std::vector<std::optional<FlatPatch>>& planes) {
-    constexpr int maxRings = 2; // patches farther away are not moved
     if (std::ranges::find(isSpoiled, true) == isSpoiled.end()) return false;
     bool areDropped = false;
-    for (int ring = 0; ring <= maxRings && !areDropped; ++ring) {
+    for (int ring = 0; ring <= ringsAroundPlanes && !areDropped; ++ring) {
         if (ring > 0) isSpoiled = withNeighbours(stretches, std::move(isSpoiled), 1);
         for (std::size_t patch = 0; patch < planes.size(); ++patch)
             if (isSpoiled[patch] && planes[patch]) {

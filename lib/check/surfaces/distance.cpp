@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace qm::check {
 
@@ -74,23 +75,6 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
     return min;
 }
 
-/// The smaller one of a distance and those from the middles of the faces beside a face, up to the first
-/// within a limit: where surfaces have slid a little, the nearest point is there.
-/// \param search  from the middle of a face, for a distance
-template <class Search>
-double nearestBeside(const CheckedMesh& mesh, const Neighbourhoods& around, int face, double nearest,
-                     double limit, const Search& search) {
-    const auto& corners = mesh.quads[at(face)];
-    for (std::size_t k = 0; k < corners.size() && nearest > limit; ++k) {
-        const int step = around.stepBetween(corners[(k + 1) % corners.size()], corners[k]);
-        if (const int beside = around.leftFace(step); beside >= 0)
-            nearest = std::min(nearest, search(beside));
-    }
-    return nearest;
-}
-
-constexpr Parameters middle{0.5, 0.5};
-
 } // namespace
 
 double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point,
@@ -111,9 +95,17 @@ double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, 
                    {max(0), max(1)}, point, enough);
 }
 
+FaceSearch::FaceSearch(const CheckedMesh& mesh, const Neighbourhoods& around,
+                       SearchStarts::LatticeOn latticeOn)
+    : mesh_(mesh), around_(around), starts_(mesh.quads.size(), std::move(latticeOn)) {}
+
+int FaceSearch::faceBeside(int face, std::size_t side) const {
+    const auto& corners = mesh_.quads[at(face)];
+    return around_.leftFace(around_.stepBetween(corners[(side + 1) % corners.size()], corners[side]));
+}
+
 DistanceToMesh::DistanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around)
-    : mesh_(mesh), around_(around),
-      starts_(mesh.quads.size(), [this](std::size_t face, const auto& parameters) {
+    : mesh_(mesh), search_(mesh, around, [this](std::size_t face, const auto& parameters) {
           const BilinearQuad quad = quadOf(mesh_, static_cast<int>(face));
           std::vector<Place> places;
           for (const double t : parameters)
@@ -123,20 +115,15 @@ DistanceToMesh::DistanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& ar
       }) {}
 
 double DistanceToMesh::from(const Place& point, int face, const Parameters& start, double limit) const {
-    const double first = distanceToFace(mesh_, face, start, point, limit);
-    const double near = nearestBeside(mesh_, around_, face, first, limit, [&](int beside) {
-        return distanceToFace(mesh_, beside, middle, point, limit);
-    });
-    if (near <= limit) return near;
-    return starts_.nearest(point, near, limit, [&](const Start& other) {
-        return distanceToFace(mesh_, static_cast<int>(other.part), other.parameters, point, limit);
+    return search_.nearest(point, face, start, limit, [&](int near, const Parameters& within) {
+        return distanceToFace(mesh_, near, within, point, limit);
     });
 }
 
 DistanceToSurfaces::DistanceToSurfaces(const CheckedMesh& mesh, const Neighbourhoods& around,
                                        const LayoutPart& layout, const SurfacesPart& part)
-    : mesh_(mesh), around_(around), part_(part), places_(mesh.quads.size()),
-      starts_(mesh.quads.size(), [this](std::size_t face, const auto& parameters) {
+    : part_(part), places_(mesh.quads.size()),
+      search_(mesh, around, [this](std::size_t face, const auto& parameters) {
           std::vector<double> us;
           std::vector<double> vs;
           for (const double within : parameters) {
@@ -158,19 +145,10 @@ DistanceToSurfaces::DistanceToSurfaces(const CheckedMesh& mesh, const Neighbourh
 }
 
 double DistanceToSurfaces::from(const Place& point, int face, const Parameters& within, double limit) const {
-    const double first = overFace(point, at(face), within, limit);
-    const double near = nearestBeside(mesh_, around_, face, first, limit,
-                                      [&](int beside) { return overFace(point, at(beside), middle, limit); });
-    if (near <= limit) return near;
-    return starts_.nearest(point, near, limit, [&](const Start& start) {
-        return overFace(point, start.part, start.parameters, limit);
+    return search_.nearest(point, face, within, limit, [&](int near, const Parameters& parameters) {
+        const SurfacesPart::Patch& patch = part_.patches[places_[at(near)].patch];
+        return distanceToPatch(patch, inPatch(at(near), parameters), point, limit);
     });
-}
-
-/// From a point to the patch over a face.
-double DistanceToSurfaces::overFace(const Place& point, std::size_t face, const Parameters& within,
-                                    double limit) const {
-    return distanceToPatch(part_.patches[places_[face].patch], inPatch(face, within), point, limit);
 }
 
 Parameters DistanceToSurfaces::inPatch(std::size_t face, const Parameters& within) const {

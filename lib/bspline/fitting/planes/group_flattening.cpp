@@ -10,12 +10,8 @@
 namespace qm {
 namespace {
 
-/// Relative to the largest distance from the origin: what is rounding, and by how much planes may be missed
-/// that do not contradict one another.
-struct Precision {
-    static constexpr double rounding = 1e-12;
-    static constexpr double tooFar = 1e-8;
-};
+/// Relative to the largest distance from the origin, like `planePrecision`.
+constexpr double rounding = 1e-12;
 
 /// The largest movement, in multiples of the distance that was missing: planes that can hardly be reached
 /// push all patches around away.
@@ -81,15 +77,15 @@ private:
 
     /// Whether all demands are met already.
     [[nodiscard]] bool isFlat(const Demands& wanted) const {
-        return wanted.planes.empty() || missingHeights(wanted.planes, points_).lpNorm<Eigen::Infinity>() <=
-                                            Precision::rounding * size_;
+        return wanted.planes.empty() ||
+               missingHeights(wanted.planes, points_).lpNorm<Eigen::Infinity>() <= rounding * size_;
     }
 
     /// Whether all planes are reached, and nothing is pushed too far for that; if not, gives up what is to
     /// blame.
     /// \param violation  of the equations
     bool accept(const Demands& wanted, const Eigen::MatrixX3d& flat, double violation) {
-        const double tooFar = Precision::tooFar * size_;
+        const double tooFar = planePrecision * size_;
         const Eigen::VectorXd left = missingHeights(wanted.planes, flat).cwiseAbs();
         if (left.maxCoeff() > tooFar) {
             giveUp(largestOf(wanted, left), tooFar);
@@ -98,7 +94,7 @@ private:
         const double before = missingHeights(wanted.planes, points_).lpNorm<Eigen::Infinity>();
         const double allowed = tooMuch * before + tooFar;
         const Eigen::VectorXd moved = (flat - points_).rowwise().norm();
-        if (moved.maxCoeff() <= allowed && violation <= Precision::rounding * size_) return true;
+        if (moved.maxCoeff() <= allowed && violation <= rounding * size_) return true;
         giveUp(pushing(wanted, moved, allowed), 0);
         return false;
     }
@@ -111,10 +107,9 @@ private:
         return largest;
     }
 
-    /// By place in the group: the largest of the values there and within two patches.
+    /// By place in the group: the largest of the values there and as far as patches move with a plane.
     [[nodiscard]] std::vector<double> largestAround(std::vector<double> values) const {
-        constexpr int rings = 2;
-        for (int ring = 0; ring < rings; ++ring) {
+        for (int ring = 0; ring < ringsAroundPlanes; ++ring) {
             const std::vector<double> before = values;
             for (const auto& [one, other] : group_.neighbours) {
                 values[one] = std::max(values[one], before[other]);

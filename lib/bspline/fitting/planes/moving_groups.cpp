@@ -14,15 +14,14 @@ namespace {
 
 std::vector<bool> movingPatches(const KnotPlan& plan, const std::vector<std::optional<FlatPatch>>& flat,
                                 const std::vector<Patch>& patches) {
-    constexpr double rounding = 1e-8; // relative to the largest coordinate; planes may contradict by as much
     double largest = 0;
     for (const Patch& patch : patches)
         for (const Point& point : patch.controlPoints)
             largest = std::max(largest, point.max_abs());
     std::vector<bool> moves(flat.size());
     for (std::size_t k = 0; k < flat.size(); ++k)
-        moves[k] = flat[k] && !isFlat(patches[k], *flat[k], rounding * largest);
-    return withNeighbours(plan.stretches(), std::move(moves), 2);
+        moves[k] = flat[k] && !isFlat(patches[k], *flat[k], planePrecision * largest);
+    return withNeighbours(plan.stretches(), std::move(moves), ringsAroundPlanes);
 }
 
 /// Divides the patches that move into groups without equations yet.

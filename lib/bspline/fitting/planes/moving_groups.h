@@ -14,6 +14,9 @@
 
 namespace qm {
 
+/// Patches within so many of a plane patch move with it.
+constexpr int ringsAroundPlanes = 2;
+
 /// Moving patches that are joined by equations, and are not joined to others.
 struct MovingGroup {
     std::vector<std::size_t> patches;

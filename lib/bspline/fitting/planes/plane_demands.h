@@ -10,6 +10,10 @@
 
 namespace qm {
 
+/// By how much planes may be missed, relative to the largest distance of a point from the origin: those of
+/// rounded points contradict one another a little.
+constexpr double planePrecision = 1e-8;
+
 /// A control point that must lie in a plane.
 struct PlaneDemand {
     std::size_t unknown = 0;
