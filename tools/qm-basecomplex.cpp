@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
             tool.option("repair", repair,
                         "weld vertices at the same place, remove degenerate and duplicate faces, flip faces "
                         "that disagree with most of their neighbours, split vertices where several fans of "
-                        "faces meet; the repaired mesh is written to NAME.repaired.obj beside the document");
+                        "faces meet, take solids apart that touch along edges; the repaired mesh is written "
+                        "to NAME.repaired.obj beside the document");
             tool.example("qm-basecomplex part.obj -o part.basecomplex.json");
             tool.example(
                 "qm-basecomplex part.obj | qm-features | qm-cut | qm-enum | qm-merge | qm-prune | qm-bspline "

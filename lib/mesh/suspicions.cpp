@@ -15,10 +15,12 @@
 namespace qm {
 namespace {
 
-/// The number of vertices at the place of an earlier one, and the first such pair.
+/// The number of vertices at the place of an earlier one, the first such pair, and whether any of them may
+/// lie on a seam, both on the boundary.
 struct Coincident {
     std::size_t count = 0;
     VertexId first, earlier;
+    bool mayBeSeam = false;
 };
 
 Coincident coincidentVertices(const QuadMesh& mesh) {
@@ -34,7 +36,9 @@ Coincident coincidentVertices(const QuadMesh& mesh) {
     std::unordered_map<Point, VertexId, Hash> places(mesh.n_vertices());
     for (const VertexId vertex : mesh.vertices()) {
         const auto [place, isNew] = places.emplace(mesh.point(vertex), vertex);
-        if (isNew || result.count++ > 0) continue;
+        if (isNew) continue;
+        if (mesh.is_boundary(vertex) && mesh.is_boundary(place->second)) result.mayBeSeam = true;
+        if (result.count++ > 0) continue;
         result.first = vertex;
         result.earlier = place->second;
     }
@@ -106,7 +110,8 @@ std::vector<std::string> suspicions(const QuadMesh& mesh) {
                          (found.count == 1 ? "lies" : "lie") + " where another does: vertex " +
                          std::to_string(found.first.idx()) + " where " + std::to_string(found.earlier.idx()) +
                          (found.count == 1 ? "" : ", and so on") +
-                         ". If a seam should be closed, use --repair");
+                         (found.mayBeSeam ? ". If a seam should be closed, use --repair"
+                                          : ". The surface touches itself there"));
     std::vector<int> flat;
     for (const FaceId face : mesh.faces())
         if (!hasArea(mesh, face)) flat.push_back(face.idx());

@@ -1,17 +1,67 @@
 #include "base/at.h"
+#include "mesh/solid_pairs.h"
 #include "mesh/soup/soup_repairs.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace qm {
 namespace {
 
-/// The vertices of edges at which more than two quads meet.
-std::vector<bool> crowdedVertices(const Soup& soup, const SoupEdges& edges) {
+/// From the middle of a side to that of the opposite one.
+Point intoQuad(const Soup& soup, Side side) {
+    const auto middle = [&](Side of) -> Point {
+        return (soup.points[at(sideFrom(soup, of))] + soup.points[at(sideTo(soup, of))]) / 2;
+    };
+    return middle(nextSide(nextSide(side))) - middle(side);
+}
+
+/// Pairs the quads at edges of more than two, where as many run along the edge one way as the other.
+/// \param turned  by edge: whether pairs bound what is outside of the surface, not what is inside
+/// \return the vertices of all other such edges
+std::vector<bool> pairCrowded(const Soup& soup, const SoupEdges& edges, const std::vector<bool>& turned,
+                              std::vector<Side>& twins) {
     std::vector<bool> crowded(soup.points.size(), false);
-    for (std::size_t k = 0; k < edges.count(); ++k)
-        if (const auto sides = edges.edge(k); sides.size() > 2)
-            for (const std::int64_t vertex : {sideFrom(soup, sides[0]), sideTo(soup, sides[0])})
-                crowded[at(vertex)] = true;
+    for (std::size_t k = 0; k < edges.count(); ++k) {
+        const auto sides = edges.edge(k);
+        if (sides.size() <= 2) continue;
+        const std::int64_t from = sideFrom(soup, sides[0]), to = sideTo(soup, sides[0]);
+        std::vector<FaceAtEdge> faces;
+        for (const Side side : sides)
+            faces.push_back({side, (sideFrom(soup, side) == from) != turned[k], intoQuad(soup, side)});
+        if (2 * std::ranges::count(faces, true, &FaceAtEdge::ascends) != std::ssize(faces)) {
+            crowded[at(from)] = crowded[at(to)] = true;
+            continue;
+        }
+        for (const auto& [one, other] :
+             pairsAroundSolids(soup.points[at(to)] - soup.points[at(from)], faces)) {
+            twins[one] = other;
+            twins[other] = one;
+        }
+    }
     return crowded;
+}
+
+/// Turns the edges of more than two quads at which pairs would still share both ends.
+void turnShared(const Soup& soup, const SoupEdges& edges, const std::vector<Side>& twins,
+                std::vector<bool>& turned) {
+    std::vector<std::size_t> fanOf(twins.size());
+    std::size_t fans = 0;
+    forEachFan(twins, [&](std::span<const Side> corners) {
+        for (const Side corner : corners)
+            fanOf[corner] = fans;
+        ++fans;
+    });
+    for (std::size_t k = 0; k < edges.count(); ++k) {
+        const auto sides = edges.edge(k);
+        if (sides.size() <= 2) continue;
+        std::vector<std::pair<std::size_t, std::size_t>> ends;
+        for (const Side side : sides)
+            if (sideFrom(soup, side) == sideFrom(soup, sides[0]))
+                ends.emplace_back(fanOf[side], fanOf[nextSide(side)]);
+        std::ranges::sort(ends);
+        turned[k] = std::ranges::adjacent_find(ends) != ends.end();
+    }
 }
 
 std::size_t copyPoint(Soup& soup, std::size_t point) {
@@ -46,8 +96,11 @@ void forEachFan(const std::vector<Side>& twins, const std::function<void(std::sp
 
 std::size_t splitFans(Soup& soup) {
     const SoupEdges edges = findEdges(soup);
-    const std::vector<Side> twins = twinSides(soup, edges);
-    const std::vector<bool> crowded = crowdedVertices(soup, edges);
+    std::vector<Side> twins = twinSides(soup, edges);
+    std::vector<bool> turned(edges.count(), false);
+    (void)pairCrowded(soup, edges, turned, twins);
+    turnShared(soup, edges, twins, turned);
+    const std::vector<bool> crowded = pairCrowded(soup, edges, turned, twins);
     enum class Fans : char { none, one, several };
     std::vector<Fans> fans(soup.points.size(), Fans::none);
     std::size_t count = 0;

@@ -19,7 +19,8 @@ struct RepairReport {
 
 /// Drops degenerate and duplicate faces, including a quad and its reverse; welds vertices at the same place
 /// along borders; collapses quads with two opposite corners at the same place; orients every component like
-/// the majority of its faces; and gives every fan of faces at a vertex its own vertex (see `soup_repairs.h`).
+/// the majority of its faces; and gives every fan of faces at a vertex its own vertex, which takes apart
+/// solids that touch at a vertex or an edge (see `soup_repairs.h`).
 /// Vertices and faces keep their order, and faces their first vertex. Isolated vertices stay. `validateSoup`
 /// must check whether the result is a mesh.
 /// \param soup  quads with indices in range and finite coordinates

@@ -33,8 +33,10 @@ std::size_t mergePoints(Soup& soup, const std::vector<std::size_t>& target);
 /// \param visit  receives the corners of the fan, which all lie at one vertex
 void forEachFan(const std::vector<Side>& twins, const std::function<void(std::span<const Side>)>& visit);
 
-/// Gives every fan except the first one at a vertex its own copy of the vertex, appended at the end. Vertices
-/// on edges of more than two quads are left alone.
+/// Gives every fan except the first one at a vertex its own copy of the vertex, appended at the end. At edges
+/// of more than two quads, those are neighbours that bound the same solid (see `pairsAroundSolids`), or,
+/// where these would go on sharing the edge, the same space outside; vertices on edges where as many quads do
+/// not run one way as the other are left alone.
 /// \return the number of vertices that had several fans
 std::size_t splitFans(Soup& soup);
 

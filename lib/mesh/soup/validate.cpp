@@ -119,11 +119,13 @@ void checkCrowdedEdges(const Soup& soup, const SoupEdges& edges) {
     for (std::size_t k = 0; k < edges.count(); ++k) {
         const auto sides = edges.edge(k);
         if (sides.size() > 2)
-            throw Error(edgePlace(soup, sides[0]),
-                        std::to_string(sides.size()) + " faces meet there: " + soup.facePlace(sides[0] / 4) +
-                            ", " + soup.facePlace(sides[1] / 4) + ", " + soup.facePlace(sides[2] / 4) +
-                            (sides.size() > 3 ? " and more" : ""),
-                        "The surface is no manifold: take the extra faces out");
+            throw Error(
+                edgePlace(soup, sides[0]),
+                std::to_string(sides.size()) + " faces meet there: " + soup.facePlace(sides[0] / 4) + ", " +
+                    soup.facePlace(sides[1] / 4) + ", " + soup.facePlace(sides[2] / 4) +
+                    (sides.size() > 3 ? " and more" : ""),
+                "The surface is no manifold there: take out faces that are too many; --repair takes solids "
+                "apart that touch");
     }
 }
 

@@ -2,10 +2,9 @@
 
 #include "base/at.h"
 #include "base/disjoint_sets.h"
+#include "mesh/solid_pairs.h"
 #include "mesh/triangles/triangle_edges.h"
 
-#include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -77,33 +76,14 @@ private:
         if (best.first != none) pair(best.first, best.second);
     }
 
-    /// Seen along the edge, from the lower to the higher point, what is inside is clockwise of triangles that
-    /// ascend and counter-clockwise of the others. So pairs match like brackets.
     void pairAroundSolids(std::span<const TriangleSide> edge) {
-        const Point first = inward(edge[0]);
-        Point axis = triangles_.points[at(edge[0].high)] - triangles_.points[at(edge[0].low)];
-        axis.normalize_cond();
-        const Point second = axis % first;
-        std::vector<std::pair<double, const TriangleSide*>> around;
-        for (const TriangleSide& side : edge) {
-            const Point direction = inward(side);
-            const double angle = std::atan2(direction | second, direction | first);
-            around.emplace_back(std::isfinite(angle) ? angle : 0, &side);
-        }
-        std::ranges::sort(around, [](const auto& a, const auto& b) {
-            return std::pair(a.first, a.second->side) < std::pair(b.first, b.second->side);
-        });
-        std::vector<Side> open;
-        for (int turn = 0; turn < 2; ++turn) // what opens before angle 0 closes behind it
-            for (const auto& [angle, side] : around) {
-                if (twins_[side->side] != none) continue;
-                if (!side->ascends) {
-                    if (turn == 0) open.push_back(side->side);
-                } else if (!open.empty()) {
-                    pair(open.back(), side->side);
-                    open.pop_back();
-                }
-            }
+        std::vector<FaceAtEdge> faces;
+        for (const TriangleSide& side : edge)
+            faces.push_back({side.side, side.ascends, inward(side)});
+        const auto& [low, high, ascends, side] = edge[0];
+        const Point along = triangles_.points[at(high)] - triangles_.points[at(low)];
+        for (const auto& [open, close] : pairsAroundSolids(along, faces))
+            pair(open, close);
     }
 
     // ---- points

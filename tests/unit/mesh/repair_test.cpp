@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "mesh/boundary_loops.h"
 #include "mesh/files/read_mesh.h"
 #include "mesh/files/write_soup.h"
 #include "mesh/soup/repair.h"
@@ -12,7 +13,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <random>
+#include <set>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -153,6 +158,7 @@ TEST(Repair, WeldsNoInteriorVertices) {
     const std::vector<std::string> warnings = suspicions(result.mesh);
     ASSERT_FALSE(warnings.empty());
     EXPECT_TRUE(warnings.front().starts_with("1 of 52 vertices lies where another does"));
+    EXPECT_EQ(warnings.front().find("--repair"), std::string::npos); // which does not change it
 }
 
 TEST(Repair, WeldsNoEndsOfASide) {
@@ -330,6 +336,9 @@ TEST(Repair, OfSharedMeshes) {
 
     expectReport(repaired(*test::sharedFile("bad/gmsh_nut.obj")).repair, 0, 0, 0, 12);
     expectReport(repaired(*test::sharedFile("dev/bearing_plate_qf_5k.obj")).repair, 1, 1, 0, 0);
+    const ReadResult apart = repaired(*test::sharedFile("bad/rockerarm_nonmanifold.obj"));
+    EXPECT_EQ(apart.repair.splitVertices, 7U);
+    EXPECT_EQ(apart.mesh.n_faces(), 1490U);
     EXPECT_NE(refusal(*test::sharedFile("bad/moebius.obj")).find("one side only"), std::string::npos);
 }
 
@@ -390,6 +399,82 @@ TEST(Repair, SplitsVerticesWhereSeveralFansMeet) {
     EXPECT_EQ(read.mesh.n_faces(), 3U);
     for (const int copy : {10, 11})
         EXPECT_EQ(read.mesh.point(VertexId(copy)), read.mesh.point(VertexId(2)));
+}
+
+/// The surface of unit cubes at whole coordinates, which share the corners in which they touch.
+std::string surfaceOfCubes(const std::set<std::array<int, 3>>& cubes) {
+    std::map<std::array<int, 3>, std::size_t> vertices; // numbers from 1
+    std::string points, faces;
+    for (const auto& cube : cubes)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const int side : {0, 1}) {
+                auto beyond = cube;
+                beyond[axis] += 2 * side - 1;
+                if (cubes.contains(beyond)) continue;
+                faces += 'f';
+                for (const auto& [a, b] :
+                     {std::pair{0, 0}, std::pair{1, 0}, std::pair{1, 1}, std::pair{0, 1}}) {
+                    auto corner = cube;
+                    corner[axis] += side;
+                    corner[(axis + 1) % 3] += side == 1 ? a : b;
+                    corner[(axis + 2) % 3] += side == 1 ? b : a;
+                    const auto [vertex, isNew] = vertices.emplace(corner, vertices.size() + 1);
+                    if (isNew)
+                        points += "v " + std::to_string(corner[0]) + ' ' + std::to_string(corner[1]) + ' ' +
+                                  std::to_string(corner[2]) + '\n';
+                    faces += ' ' + std::to_string(vertex->second);
+                }
+                faces += '\n';
+            }
+    return points + faces;
+}
+
+TEST(Repair, TakesSolidsApartThatTouchAtAnEdge) {
+    const std::string text = surfaceOfCubes({{0, 0, 0}, {1, 1, 0}});
+    const std::string problem = test::messageOf([&] { (void)readMesh(text, "a.obj"); });
+    EXPECT_NE(problem.find("4 faces meet there"), std::string::npos) << problem;
+    EXPECT_NE(problem.find("--repair takes solids apart that touch"), std::string::npos) << problem;
+    const ReadResult read = repaired(text);
+    EXPECT_EQ(read.repair.splitVertices, 2U);
+    EXPECT_EQ(read.mesh.n_vertices(), 16U);
+    EXPECT_EQ(components(read.mesh).count, 2U);
+    const auto warnings = suspicions(read.mesh);
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_TRUE(warnings.front().ends_with("The surface touches itself there")) << warnings.front();
+}
+
+TEST(Repair, TakesASolidApartThatTouchesItself) {
+    // Cubes at two ends of a diagonal on a plate: above its lower end, the edge divides one fan into two.
+    const ReadResult read =
+        repaired(surfaceOfCubes({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 1}, {1, 1, 1}}));
+    EXPECT_EQ(read.repair.splitVertices, 1U);
+    EXPECT_EQ(components(read.mesh).count, 1U);
+}
+
+TEST(Repair, DividesWhatIsOutsideWhereASolidCannotBeTakenApart) {
+    // As before, with another plate above: the edge ends inside of one fan at either end.
+    std::set<std::array<int, 3>> cubes{{0, 0, 1}, {1, 1, 1}};
+    for (const int height : {0, 2})
+        cubes.insert({{0, 0, height}, {0, 1, height}, {1, 0, height}, {1, 1, height}});
+    const ReadResult read = repaired(surfaceOfCubes(cubes));
+    EXPECT_EQ(read.repair.splitVertices, 2U);
+    EXPECT_EQ(components(read.mesh).count, 1U);
+}
+
+TEST(Repair, TakesAnySetOfCubesApart) {
+    std::mt19937 engine(7);
+    for (int round = 0; round < 200; ++round) {
+        std::set<std::array<int, 3>> cubes;
+        for (int k = 0; k < 20; ++k) {
+            const auto coordinate = [&] { return static_cast<int>(engine() % 4); };
+            cubes.insert({coordinate(), coordinate(), coordinate()});
+        }
+        const std::string text = surfaceOfCubes(cubes);
+        const ReadResult read = repaired(text);
+        EXPECT_EQ(boundaryLoops(read.mesh).size(), 0U);
+        EXPECT_EQ(read.mesh.n_faces(), static_cast<std::size_t>(std::ranges::count(text, 'f')));
+        EXPECT_FALSE(readMesh(writeObj(read.mesh), "a.obj", {.repair = true}).repair.changed());
+    }
 }
 
 } // namespace

@@ -1,0 +1,55 @@
+#include "mesh/solid_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace qm {
+namespace {
+
+/// The faces by their angle around the edge, in the right-handed sense.
+std::vector<FaceAtEdge> inCircle(const Point& direction, std::span<const FaceAtEdge> faces) {
+    Point axis = direction;
+    axis.normalize_cond();
+    Point first = faces.front().inward;
+    first -= axis * (axis | first);
+    first.normalize_cond();
+    const Point second = axis % first;
+    std::vector<std::tuple<double, Side, const FaceAtEdge*>> angles;
+    for (const FaceAtEdge& face : faces) {
+        const double angle = std::atan2(face.inward | second, face.inward | first);
+        angles.emplace_back(std::isfinite(angle) ? angle : 0, face.side, &face);
+    }
+    std::ranges::sort(angles);
+    std::vector<FaceAtEdge> around;
+    for (const auto& [angle, side, face] : angles)
+        around.push_back(*face);
+    return around;
+}
+
+} // namespace
+
+std::vector<std::pair<Side, Side>> pairsAroundSolids(const Point& direction,
+                                                     std::span<const FaceAtEdge> faces) {
+    if (faces.empty()) return {};
+    std::vector<std::pair<Side, Side>> pairs;
+    std::vector<Side> open, behind; // behind: those that ascend before all that are open at angle 0 are known
+    for (const FaceAtEdge& face : inCircle(direction, faces)) {
+        if (!face.ascends) {
+            open.push_back(face.side);
+        } else if (open.empty()) {
+            behind.push_back(face.side);
+        } else {
+            pairs.emplace_back(open.back(), face.side);
+            open.pop_back();
+        }
+    }
+    for (const Side side : behind) {
+        if (open.empty()) break;
+        pairs.emplace_back(open.back(), side);
+        open.pop_back();
+    }
+    return pairs;
+}
+
+} // namespace qm
