@@ -8,7 +8,7 @@ struct SmoothFitOptions {
     double flatness = 0;      ///< a reference no farther than this from a plane makes a plane patch
     int steps = 4;            ///< lattice points per mesh edge: 1, 2 or 4
     double minInterval = 0;   ///< shortest knot interval, in tolerances; see `MinInterval` as well
-    int unfoldings = 11;      ///< how often folded patches begin anew with more knots
+    int unfoldings = 6;       ///< how often folded patches begin anew with more knots
     double evenBorders = 1;   ///< first error of borders at even vertices, in tolerances; see `minError`
     int maxRounds = 30;       ///< largest number of rounds, each with a factorisation
     int maxIdle = 12;         ///< a search ends after so many rounds without a better result
