@@ -15,12 +15,12 @@ bool isNear(const Fitted& fitted) {
     return fitted.farthest() <= uncertain;
 }
 
-/// The patches that miss the tolerance, with their neighbours.
-std::vector<bool> missing(const Fitted& fitted, const FitProblem& problem) {
+/// The patches that miss the tolerance, with so many rings of patches around them.
+std::vector<bool> missing(const Fitted& fitted, const FitProblem& problem, int rings) {
     std::vector<bool> misses;
     for (const double distance : fitted.distances)
         misses.push_back(distance > 1);
-    return withNeighbours(problem.network.stretches, std::move(misses), 1);
+    return withNeighbours(problem.network.stretches, std::move(misses), rings);
 }
 
 } // namespace
@@ -33,13 +33,13 @@ std::vector<Patch> fitSmooth(const FitProblem& problem, const SmoothFitOptions& 
         attemptFit(problem, options, std::vector<bool>(patches, false), !options.restarts, control);
     // Stiff patches are fair, but where quads fold or are much narrower than their neighbours they can
     // prevent everything around from following the reference, and so can sliding.
-    for (const bool areAllSoft : {false, true}) {
+    for (const bool isLast : {false, true}) {
         if (!options.restarts || isNear(nearest) || nearest.isHopeless() || control.stopRequested()) break;
         SmoothFitOptions closer = options;
         closer.slack = 0;
-        closer.slides = areAllSoft ? 1 : options.slides / 2;
-        const auto isSoft = areAllSoft ? std::vector<bool>(patches, true) : missing(nearest, problem);
-        Fitted fitted = attemptFit(problem, closer, isSoft, areAllSoft, unreported(control));
+        closer.slides = isLast ? 1 : options.slides / 2;
+        const auto isSoft = missing(nearest, problem, isLast ? 3 : 1);
+        Fitted fitted = attemptFit(problem, closer, isSoft, isLast, unreported(control));
         if (fitted.farthest() < nearest.farthest()) nearest = std::move(fitted);
     }
     return std::move(nearest.patches);
