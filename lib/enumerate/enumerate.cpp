@@ -12,6 +12,7 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -45,11 +46,15 @@ std::optional<std::string> countOfAll(const Enumeration& enumeration) {
 }
 
 /// Traces the plain motorcycle graph, which is one process on the whole mesh.
-Enumeration enumeratePlain(const SearchedMesh& searched, const std::vector<double>& edgeCosts,
-                           const EnumerationOptions& options) {
+Enumeration enumeratePlain(const SearchedMesh& searched, const EnumerationOptions& options) {
     if (searched.subMeshes.count != 1)
         throw Error("/cut", "the plain motorcycle graph is traced on the whole mesh", "Leave qm-cut out");
-    MotorcycleGraph graph = plainMotorcycleGraph(searched.mesh, searched.complex, edgeCosts);
+    MotorcycleGraph graph = plainMotorcycleGraph(
+        searched.mesh, searched.complex,
+        edgeCosts(searched.mesh, searched.dihedralAngles, options.cost, searched.constraints));
+    if (!obeyConstraints(searched.mesh, graph.tracks, searched.constraints))
+        throw Error("/constraints", "the plain motorcycle graph does not obey them",
+                    "Leave --method plain out");
     if (options.cost.terms.segments != 0)
         graph.cost += cornerCost(options.cost.terms) *
                       static_cast<double>(
@@ -77,13 +82,11 @@ Enumeration enumerateGraphs(const SearchedMesh& searched, const EnumerationOptio
                             const Control& control) {
     const SubMeshes& subMeshes = searched.subMeshes;
     verifyAsked(subMeshes, options);
-    const std::vector<double> costs =
-        edgeCosts(searched.mesh, searched.dihedralAngles, options.cost, searched.constraints);
     Enumeration result;
     if (options.method == Method::plain) {
-        result = enumeratePlain(searched, costs, options);
+        result = enumeratePlain(searched, options);
     } else {
-        const SubMeshSearch search(searched, costs, options);
+        const SubMeshSearch search(searched, options);
         std::vector<SubMeshId> asked;
         for (const SubMeshId subMesh : subMeshes.ids())
             if (options.part.holds(subMesh)) asked.push_back(subMesh);
@@ -92,7 +95,9 @@ Enumeration enumerateGraphs(const SearchedMesh& searched, const EnumerationOptio
         std::atomic<bool> complete = true;
         result.subMeshes.resize(at(subMeshes.count));
         parallelFor(asked.size(), control.jobs, [&](std::size_t k) {
-            result.subMeshes[asked[k]] = search.search(asked[k], deadline.control(), complete);
+            SubMeshSearch::Found found = search.search(asked[k], deadline.control());
+            if (!found.complete) complete = false;
+            result.subMeshes[asked[k]] = std::move(found.subMesh);
             finished.one();
         });
         result.complete = complete;
@@ -109,9 +114,7 @@ bool listGraphs(const SearchedMesh& searched, const EnumerationOptions& options,
                 const GraphListing& listing, const Control& control) {
     const SubMeshes& subMeshes = searched.subMeshes;
     verifyAsked(subMeshes, options);
-    const std::vector<double> costs =
-        edgeCosts(searched.mesh, searched.dihedralAngles, options.cost, searched.constraints);
-    const SubMeshSearch search(searched, costs, options);
+    const SubMeshSearch search(searched, options);
     const Deadline deadline(control, options.timeLimit);
     const Control limited = deadline.control();
     for (const SubMeshId subMesh : subMeshes.ids()) {

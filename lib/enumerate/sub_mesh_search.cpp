@@ -6,7 +6,6 @@
 #include "enumerate/diagram/count_and_draw.h"
 #include "enumerate/diagram/count_graphs.h"
 #include "enumerate/diagram/walk.h"
-#include "enumerate/optimum/optimum.h"
 #include "enumerate/paper/coordinates.h"
 #include "enumerate/state/depth_first.h"
 #include "enumerate/state/incumbents.h"
@@ -16,10 +15,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
-#include <tuple>
 
 namespace qm {
 namespace {
@@ -29,27 +28,16 @@ std::optional<std::string> decimal(const std::optional<BigCount>& count) {
 }
 
 CoordinateMethod coordinateMethod(Method method) {
-    switch (method) {
-    case Method::naive:
-        return CoordinateMethod::naive;
-    case Method::bounds:
-        return CoordinateMethod::bounds;
-    default:
-        return CoordinateMethod::improved;
-    }
-}
-
-[[noreturn]] void refuse(SubMeshId subMesh) {
-    throw Error("sub-mesh " + std::to_string(subMesh.value()), "no graph obeys the constraints",
-                "Take some out of /constraints");
+    if (method == Method::naive) return CoordinateMethod::naive;
+    return method == Method::bounds ? CoordinateMethod::bounds : CoordinateMethod::improved;
 }
 
 } // namespace
 
-SubMeshSearch::SubMeshSearch(const SearchedMesh& searched, const std::vector<double>& edgeCosts,
-                             const EnumerationOptions& options)
-    : searched_(searched), edgeCosts_(edgeCosts), options_(options),
-      space_(makeSearchSpace(searched.mesh, searched.complex, edgeCosts, searched.subMeshes,
+SubMeshSearch::SubMeshSearch(const SearchedMesh& searched, const EnumerationOptions& options)
+    : searched_(searched), options_(options),
+      edgeCosts_(edgeCosts(searched.mesh, searched.dihedralAngles, options.cost, searched.constraints)),
+      space_(makeSearchSpace(searched.mesh, searched.complex, edgeCosts_, searched.subMeshes,
                              searched.constraints, cornerCost(options.cost.terms))) {
     fixedCosts_.assign(at(searched.subMeshes.count), 0);
     if (space_.cornerCost == 0) return;
@@ -59,10 +47,10 @@ SubMeshSearch::SubMeshSearch(const SearchedMesh& searched, const std::vector<dou
 }
 
 SubMeshSearch::Task SubMeshSearch::task(SubMeshId subMesh) const {
-    Task task{subMesh, std::make_shared<SearchSpace>(ownSpace(space_, subMesh)), {}, {}};
-    const PresentArcs none(task.space->graph.arcs.size(), false);
-    task.problem = subMeshProblem(*task.space, subMesh, ownArcs(*task.space, subMesh), none);
-    task.walkers = walkersOf(*task.space, subMesh, none);
+    Task task{subMesh, ownSpace(space_, subMesh), {}, {}};
+    const PresentArcs none(task.space.graph.arcs.size(), false);
+    task.problem = subMeshProblem(task.space, subMesh, ownArcs(task.space, subMesh), none);
+    task.walkers = walkersOf(task.space, subMesh, none);
     task.problem.gaps = options_.graphClass == GraphClass::motorcycle;
     return task;
 }
@@ -73,24 +61,28 @@ double SubMeshSearch::maxCost(SubMeshId subMesh) const {
 }
 
 MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignment) const {
-    const ArcGraph& arcs = task.space->graph;
+    const ArcGraph& arcs = task.space.graph;
     PresentArcs present(arcs.arcs.size(), false);
     apply(task.problem, assignment, present);
-    const auto& [mesh, complex] = std::tie(searched_.mesh, searched_.complex);
-    MotorcycleGraph result = task.problem.gaps
-                                 ? graphOf(mesh, complex, arcs, present, edgeCosts_, task.walkers)
-                                 : tMeshOf(mesh, complex, arcs, present, edgeCosts_);
+    MotorcycleGraph result =
+        task.problem.gaps
+            ? graphOf(searched_.mesh, searched_.complex, arcs, present, edgeCosts_, task.walkers)
+            : tMeshOf(searched_.mesh, searched_.complex, arcs, present, edgeCosts_);
     if (space_.cornerCost != 0) result.cost = costOf(task.problem, assignment) + fixedCosts_[task.subMesh];
     return result;
 }
 
-SubMeshGraphs SubMeshSearch::search(SubMeshId subMesh, const Control& control,
-                                    std::atomic<bool>& complete) const {
+SubMeshSearch::Found SubMeshSearch::search(SubMeshId subMesh, const Control& control) const {
     const Task task = this->task(subMesh);
-    SubMeshGraphs result = options_.method == Method::optimum ? searchOptimum(task, control, complete)
-                                                              : searchCoordinates(task, control, complete);
-    if (!result.graphs.empty()) result.cost = result.graphs.front().cost;
-    return result;
+    const bool optimum = options_.method == Method::optimum;
+    Found found = optimum ? searchOptimum(task, control) : searchCoordinates(task, control);
+    if (!found.subMesh.graphs.empty())
+        found.subMesh.cost = found.subMesh.graphs.front().cost;
+    else if (found.complete && std::isinf(options_.maxCost))
+        throw Error("sub-mesh " + std::to_string(subMesh.value()), "no graph obeys the constraints",
+                    "Take some out of /constraints");
+    if (optimum) countAndDraw(task, found, control);
+    return found;
 }
 
 bool SubMeshSearch::list(SubMeshId subMesh, ListedGraphs which, const GraphListing& listing,
@@ -141,80 +133,74 @@ bool SubMeshSearch::find(const Task& task, const std::function<bool(const Assign
 /// Visits the best graphs, cheapest first.
 bool SubMeshSearch::findRanked(const Task& task, const std::function<bool(const Assignment&)>& visit,
                                const Control& control) const {
+    return forEachBest(task.problem, optimumOptions(task), visit, control);
+}
+
+/// A search begins with a graph, however hard it is: that of particles that go straight on one after the
+/// other.
+OptimumOptions SubMeshSearch::optimumOptions(const Task& task) const {
     OptimumOptions options;
     options.best = options_.best;
     options.maxCost = maxCost(task.subMesh);
-    options.start = simpleGraph(task);
-    return forEachBest(task.problem, options, visit, control);
+    if (space_.demands.empty()) {
+        PresentArcs present(task.space.graph.arcs.size(), false);
+        goStraight(task.space, task.subMesh, present);
+        options.start = assignmentOf(task.problem, present);
+    }
+    return options;
 }
 
-/// Lets every particle go straight on in turn, to have a graph from the start, however hard the search is.
-std::optional<Assignment> SubMeshSearch::simpleGraph(const Task& task) const {
-    if (!space_.demands.empty()) return std::nullopt;
-    PresentArcs present(task.space->graph.arcs.size(), false);
-    goStraight(*task.space, task.subMesh, present);
-    return assignmentOf(task.problem, present);
-}
-
-SubMeshGraphs SubMeshSearch::searchOptimum(const Task& task, const Control& control,
-                                           std::atomic<bool>& complete) const {
-    OptimumOptions options;
-    options.best = options_.best;
-    options.maxCost = maxCost(task.subMesh);
+SubMeshSearch::Found SubMeshSearch::searchOptimum(const Task& task, const Control& control) const {
+    OptimumOptions options = optimumOptions(task);
     options.gap = options_.gap;
-    options.start = simpleGraph(task);
-    const OptimumResult found = findBest(task.problem, options, control);
-    SubMeshGraphs result;
-    for (const Assignment& assignment : found.graphs)
-        result.graphs.push_back(graph(task, assignment));
-    if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound + fixedCosts_[task.subMesh];
+    const OptimumResult optimum = findBest(task.problem, options, control);
+    Found found{{}, optimum.complete};
+    auto& [cost, lowerBound, count, graphs, samples] = found.subMesh;
+    for (const Assignment& assignment : optimum.graphs)
+        graphs.push_back(graph(task, assignment));
+    if (std::isfinite(optimum.lowerBound)) lowerBound = optimum.lowerBound + fixedCosts_[task.subMesh];
     // The bound adds costs in another order than the tracks' costs do, and proofs hold up to the tolerance
     // only.
-    if (!result.graphs.empty() && result.lowerBound &&
-        *result.lowerBound >= result.graphs.front().cost - Incumbents::tolerance)
-        result.lowerBound = result.graphs.front().cost;
-    if (result.graphs.empty() && found.complete && std::isinf(options_.maxCost)) refuse(task.subMesh);
-    if (!found.complete) complete = false;
-    countAndDraw(task, result, control, complete);
-    return result;
+    if (!graphs.empty() && lowerBound && *lowerBound >= graphs.front().cost - Incumbents::tolerance)
+        lowerBound = graphs.front().cost;
+    return found;
 }
 
 /// Adds the results that need a diagram of all graphs.
-void SubMeshSearch::countAndDraw(const Task& task, SubMeshGraphs& result, const Control& control,
-                                 std::atomic<bool>& complete) const {
+void SubMeshSearch::countAndDraw(const Task& task, Found& found, const Control& control) const {
     const bool limited = std::isfinite(options_.maxCost);
-    if (options_.count && !limited) result.count = decimal(countGraphs(task.problem, control));
+    auto& [subMesh, complete] = found;
+    if (options_.count && !limited) subMesh.count = decimal(countGraphs(task.problem, control));
     if (options_.sample > 0 || (options_.count && limited)) {
         const auto diagram = buildDiagram(task.problem, diagramNodes, control);
         if (diagram && options_.count && limited)
-            result.count =
+            subMesh.count =
                 decimal(countUpTo(*diagram, maxCost(task.subMesh) + Incumbents::tolerance, control));
         if (diagram)
             for (const Assignment& drawn : drawGraphs(*diagram, options_.sample, options_.seed))
-                result.samples.push_back(graph(task, drawn));
+                subMesh.samples.push_back(graph(task, drawn));
         else if (options_.sample > 0)
             complete = false;
     }
-    if (options_.count && !result.count) complete = false;
+    if (options_.count && !subMesh.count) complete = false;
 }
 
-SubMeshGraphs SubMeshSearch::searchCoordinates(const Task& task, const Control& control,
-                                               std::atomic<bool>& complete) const {
+SubMeshSearch::Found SubMeshSearch::searchCoordinates(const Task& task, const Control& control) const {
     std::set<Assignment> seen;
     Incumbents incumbents(options_.best, maxCost(task.subMesh));
     const auto visit = [&](const Assignment& assignment) {
         if (seen.insert(assignment).second) incumbents.offer(costOf(task.problem, assignment), assignment);
         return true;
     };
-    const bool finished = forEachCoordinateVector(task.problem, coordinateMethod(options_.method), visit,
-                                                  control.stopRequested);
-    if (!finished) complete = false;
-    SubMeshGraphs result;
+    Found found{{},
+                forEachCoordinateVector(task.problem, coordinateMethod(options_.method), visit,
+                                        control.stopRequested)};
     for (const auto& [cost, assignment] : incumbents.graphs())
-        result.graphs.push_back(graph(task, assignment));
-    if (finished && !incumbents.empty()) result.lowerBound = result.graphs.front().cost;
-    if (finished) result.count = std::to_string(seen.size());
-    return result;
+        found.subMesh.graphs.push_back(graph(task, assignment));
+    if (!found.complete) return found;
+    if (!incumbents.empty()) found.subMesh.lowerBound = found.subMesh.graphs.front().cost;
+    found.subMesh.count = std::to_string(seen.size());
+    return found;
 }
 
 } // namespace qm

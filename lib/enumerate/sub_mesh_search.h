@@ -2,25 +2,26 @@
 #pragma once
 
 #include "enumerate/enumerate.h"
-#include "enumerate/state/assignment.h"
+#include "enumerate/optimum/optimum.h"
 #include "enumerate/sub_mesh/search_space.h"
 
-#include <atomic>
 #include <functional>
-#include <memory>
-#include <optional>
 
 namespace qm {
 
 class SubMeshSearch {
 public:
     /// All arguments must outlive this.
-    SubMeshSearch(const SearchedMesh& searched, const std::vector<double>& edgeCosts,
-                  const EnumerationOptions& options);
+    SubMeshSearch(const SearchedMesh& searched, const EnumerationOptions& options);
 
-    /// Finds what the options ask for. Sets `complete` to false if a limit ended the search early.
-    [[nodiscard]] SubMeshGraphs search(SubMeshId subMesh, const Control& control,
-                                       std::atomic<bool>& complete) const;
+    struct Found {
+        SubMeshGraphs subMesh;
+        bool complete = true; ///< false if a limit ended the search early
+    };
+
+    /// Finds what the options ask for.
+    /// \throw Error  if the constraints leave no graph
+    [[nodiscard]] Found search(SubMeshId subMesh, const Control& control) const;
 
     /// \return false if `listing` or a limit ended the list early
     bool list(SubMeshId subMesh, ListedGraphs which, const GraphListing& listing,
@@ -29,7 +30,7 @@ public:
 private:
     struct Task {
         SubMeshId subMesh;
-        std::shared_ptr<const SearchSpace> space; ///< the lines of the sub-mesh's own particles
+        SearchSpace space; ///< the lines of the sub-mesh's own particles
         Problem problem;
         Walkers walkers;
     };
@@ -37,21 +38,18 @@ private:
     [[nodiscard]] Task task(SubMeshId subMesh) const;
     [[nodiscard]] double maxCost(SubMeshId subMesh) const;
     [[nodiscard]] MotorcycleGraph graph(const Task& task, const Assignment& assignment) const;
-    [[nodiscard]] std::optional<Assignment> simpleGraph(const Task& task) const;
-    [[nodiscard]] SubMeshGraphs searchOptimum(const Task& task, const Control& control,
-                                              std::atomic<bool>& complete) const;
-    [[nodiscard]] SubMeshGraphs searchCoordinates(const Task& task, const Control& control,
-                                                  std::atomic<bool>& complete) const;
-    void countAndDraw(const Task& task, SubMeshGraphs& result, const Control& control,
-                      std::atomic<bool>& complete) const;
+    [[nodiscard]] OptimumOptions optimumOptions(const Task& task) const;
+    [[nodiscard]] Found searchOptimum(const Task& task, const Control& control) const;
+    [[nodiscard]] Found searchCoordinates(const Task& task, const Control& control) const;
+    void countAndDraw(const Task& task, Found& found, const Control& control) const;
     bool find(const Task& task, const std::function<bool(const Assignment&)>& visit,
               const Control& control) const;
     bool findRanked(const Task& task, const std::function<bool(const Assignment&)>& visit,
                     const Control& control) const;
 
     const SearchedMesh& searched_;
-    const std::vector<double>& edgeCosts_;
     const EnumerationOptions& options_;
+    const std::vector<double> edgeCosts_;
     SearchSpace space_;
     IdVector<SubMeshId, double> fixedCosts_; ///< of the corners that all graphs of a sub-mesh have
 };

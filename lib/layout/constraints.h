@@ -1,8 +1,10 @@
 /// \file Constraints on graphs by a person: edges that must be patch boundaries, or must not be.
 #pragma once
 
+#include "layout/motorcycle_graph.h"
 #include "mesh/quad_mesh.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,5 +17,10 @@ struct Constraints {
     std::vector<EdgeId> forbidden;
     std::vector<std::pair<EdgeId, double>> weights; ///< added to the cost of each edge by the term *custom*
 };
+
+/// Whether all required edges lie on the tracks or on the mesh boundary, and no forbidden edge lies on a
+/// track.
+[[nodiscard]] bool obeyConstraints(const QuadMesh& mesh, std::span<const Track> tracks,
+                                   const Constraints& constraints);
 
 } // namespace qm

@@ -2,7 +2,6 @@
 
 #include "base/deadline.h"
 #include "base/error.h"
-#include "layout/borders.h"
 #include "layout/quality.h"
 #include "prune/pruning_search.h"
 #include "prune/turned_sides.h"
@@ -78,21 +77,13 @@ PruneResult pruneFrom(const Layout& layout, const PrunedMesh& pruned, const Prun
     return result;
 }
 
-/// \throw Error  if the layout does not obey the constraints, which somebody may have added later
-void verifyConstraints(const QuadMesh& mesh, const Layout& layout, const Constraints& constraints) {
-    const Borders borders(mesh, properTracks(layout));
-    const auto isBorder = [&](EdgeId edge) { return borders.isBorder(edge); };
-    const auto isOnTrack = [&](EdgeId edge) { return borders.isBorder(edge) && !mesh.is_boundary(edge); };
-    if (!std::ranges::all_of(constraints.required, isBorder) ||
-        std::ranges::any_of(constraints.forbidden, isOnTrack))
-        throw Error("/constraints", "the layout does not obey them", "Run qm-enum and qm-merge again");
-}
-
 } // namespace
 
 PruneResult prune(const PrunedMesh& pruned, const Layout& layout, const PruneOptions& options, double rho,
                   const Control& control) {
-    verifyConstraints(pruned.mesh, layout, options.constraints);
+    // Somebody may have added constraints after the layout was made.
+    if (!obeyConstraints(pruned.mesh, properTracks(layout), options.constraints))
+        throw Error("/constraints", "the layout does not obey them", "Run qm-enum and qm-merge again");
     constexpr double halfTurn = 180; // no line turns by more
     if (!options.smooth || options.maxSharpTurn >= halfTurn)
         return pruneFrom(layout, pruned, options, rho, control);

@@ -247,6 +247,27 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     quietly qm-check out.json
 }
 
+@test "the paper's methods obey demands, and the plain graph is refused if it does not" {
+    qm-shape random-open --voxels 2 --resolution 1 -o small.obj
+    qm-basecomplex --quiet small.obj -o small.json
+    quietly qm-enum --best 2 small.json -o free.json
+    # An edge of the second graph alone.
+    edge=$(jq -c '[.enumeration.subMeshes[0].graphs[] | [.tracks[].vertices | [.[:-1], .[1:]] | transpose[] | sort]]
+        | .[1] - .[0] | first' free.json)
+    assert [ "$edge" != null ]
+    jq --argjson edge "$edge" '.constraints = {"required": [{"vertices": $edge}]}' small.json >required.json
+    for method in optimum naive bounds improved; do
+        quietly qm-enum --method $method --best 2 --count required.json -o out.json
+        is '.enumeration.count == "1" and (.enumeration.subMeshes[0].graphs | length == 1)'
+        assert_equal "$(field '.enumeration.subMeshes[0].cost * 1e6 | round' out.json)" \
+            "$(field '.enumeration.subMeshes[0].graphs[1].cost * 1e6 | round' free.json)"
+    done
+    first=$(jq -c '.baseComplex.separatrices[0].vertices[:2]' small.json)
+    jq --argjson edge "$first" '.constraints = {"forbidden": [{"vertices": $edge}]}' small.json >none.json
+    complains qm-enum --method plain none.json
+    assert_regex "$stderr" '/constraints: the plain motorcycle graph does not obey them'
+}
+
 @test "demands that nothing fulfils, and demands that are not on any line" {
     input=$(stage basecomplex cube)
     first=$(jq -c '.baseComplex.separatrices[0].vertices[:2]' "$input")

@@ -1,19 +1,25 @@
 // Compares searches in the search space of a sub-mesh with the same in that of the whole mesh: random meshes,
 // seeds and cuts.
 #include "base/at.h"
+#include "base/infinity.h"
 #include "enumerate/enumerate.h"
+#include "enumerate/paper/coordinates.h"
 #include "enumerate/state/assignment.h"
+#include "enumerate/state/depth_first.h"
 #include "enumerate/sub_mesh/own_space.h"
 #include "enumerate/sub_mesh/search_space.h"
 #include "layout/corners.h"
 #include "layout/tracks.h"
 #include "merge/free_particles.h"
 #include "support/random_graph.h"
+#include "support/random_problem.h"
 
 #include <gtest/gtest.h>
 
 #include <optional>
 #include <random>
+#include <set>
+#include <utility>
 
 namespace qm::test {
 namespace {
@@ -106,6 +112,53 @@ TEST(SubMeshProperty, ASubMeshesOwnLinesAreAllThatItsSearchNeeds) {
         EXPECT_LE(lines, 2 * whole.graph.lines.size());
     });
     EXPECT_GT(smaller, 20);
+}
+
+/// All graphs that a search visits; nothing if there are too many.
+/// \param search  called with the visitor
+template <class Search> std::optional<std::set<Assignment>> graphsOf(const Search& search) {
+    std::set<Assignment> graphs;
+    int visits = 0;
+    const auto visit = [&](const Assignment& graph) {
+        graphs.insert(graph);
+        return ++visits < 3000;
+    };
+    return search(visit) ? std::optional(std::move(graphs)) : std::nullopt;
+}
+
+TEST(SubMeshProperty, ThePapersAlgorithmsFindTheSameGraphs) {
+    int compared = 0, demanded = 0;
+    forEachCase(6000, [&](const Case& drawn, std::mt19937& random) {
+        for (const SubMeshId subMesh : drawn.parts.ids()) {
+            SearchSpace own = ownSpace(drawn.space, subMesh);
+            const PresentArcs none(own.graph.arcs.size(), false);
+            const std::vector<ArcId> arcs = ownArcs(own, subMesh);
+            if (arcs.empty()) continue;
+            Problem problem = subMeshProblem(own, subMesh, arcs, none);
+            const std::vector<VariableId> open = freeVariables(SearchState(problem));
+            const bool demands = !open.empty() && random() % 2 == 0;
+            if (demands)
+                problem.domains[open[random() % open.size()]] =
+                    random() % 2 == 0 ? ArcState::in : ArcState::out;
+            const auto expected = graphsOf([&](const auto& visit) {
+                return forEachAssignment(
+                    problem, [] { return infinity; },
+                    [&](const SearchState& state) { return visit(state.assignment()); });
+            });
+            for (const auto method : {CoordinateMethod::bounds, CoordinateMethod::improved}) {
+                int questions = 0;
+                const auto found = graphsOf([&](const auto& visit) {
+                    return forEachCoordinateVector(problem, method, visit, [&] { return ++questions > 10; });
+                });
+                if (!expected || !found) continue;
+                EXPECT_EQ(*found, *expected) << "method " << static_cast<int>(method);
+                ++compared;
+                demanded += demands ? 1 : 0;
+            }
+        }
+    });
+    EXPECT_GT(compared, 1000);
+    EXPECT_GT(demanded, 200);
 }
 
 TEST(SubMeshProperty, GraphsCostWhatTheirTracksAndCornersDo) {

@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "enumerate/paper/courses.h"
 
+#include <algorithm>
+
 namespace qm {
 namespace {
 
@@ -178,13 +180,24 @@ void verifyParticles(const Problem& problem) {
                     "Use --method optimum, or a smaller --chi of qm-cut");
 }
 
+/// Whether a graph has all variables that are in from the start. Courses know only which variables are out:
+/// one that is in may be walked by either particle of its chain.
+bool hasRequired(const Problem& problem, const Assignment& graph) {
+    return std::ranges::all_of(problem.variables(), [&](VariableId variable) {
+        return graph[variable] == 1 || problem.domains[variable] != ArcState::in;
+    });
+}
+
 } // namespace
 
 bool forEachCoordinateVector(const Problem& problem, CoordinateMethod method, const Visit& visit,
                              const StopRequested& stopRequested) {
     verifyParticles(problem);
-    if (method == CoordinateMethod::naive) return NaiveSearch(problem, visit, stopRequested).run();
-    return BoundedSearch(problem, method == CoordinateMethod::improved, visit, stopRequested).run();
+    const Visit visitValid = [&](const Assignment& graph) {
+        return !hasRequired(problem, graph) || visit(graph);
+    };
+    if (method == CoordinateMethod::naive) return NaiveSearch(problem, visitValid, stopRequested).run();
+    return BoundedSearch(problem, method == CoordinateMethod::improved, visitValid, stopRequested).run();
 }
 
 } // namespace qm

@@ -42,12 +42,14 @@ Stop stopAt(const Problem& problem, const Crossing& crossing, std::size_t side, 
 }
 
 void findStops(const Problem& problem, const Owners& owners, Courses& courses) {
+    // Where chains have no crossing, or an open one, the sub-mesh ends, and so does the track of whoever
+    // arrives.
     for (Course& course : courses)
-        course.stops.resize(Course::stopIndex(std::max(course.length, 1)));
+        course.stops.assign(Course::stopIndex(std::max(course.length, 1)), Stop{{}, {}, true});
     for (const Crossing& crossing : problem.crossings)
         for (const std::size_t k : {0U, 1U}) {
             const CrossingSide& side = crossing.sides[k];
-            if (!owners.canPass(side)) continue;
+            if (crossing.open || !owners.canPass(side)) continue;
             const Stop stop = stopAt(problem, crossing, k, owners, courses);
             for (const auto& [owner, variable] : {std::pair(owners.fromBefore[side.before], side.before),
                                                   std::pair(owners.fromAfter[side.after], side.after)})

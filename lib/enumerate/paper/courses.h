@@ -22,7 +22,8 @@ struct Arrival {
 struct Stop {
     Arrival left;
     Arrival right;
-    /// The crossing line is there in every graph and nobody can pass it: stopping is always right.
+    /// Nobody can pass, because the crossing line is there in every graph or the sub-mesh ends: stopping is
+    /// always right.
     bool wall = false;
 };
 
