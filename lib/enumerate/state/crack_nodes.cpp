@@ -13,7 +13,7 @@ namespace {
 class Maker {
 public:
     Maker(const ProblemInput& input, const IdVector<ChainId, Chain>& chains,
-          const SparseIndex<LineId, ChainId>& chainOf)
+          const SparseIdVector<LineId, ChainId>& chainOf)
         : input_(input), graph_(input.graph), chains_(chains), chainOf_(chainOf) {}
 
     CrackNodes make(const std::vector<LineId>& lines) {
@@ -29,7 +29,7 @@ public:
         CrackNodes result;
         for (const auto& [lowest, group] : groups) {
             for (const LineId line : group)
-                result.nodeOf.put(line, result.nodes.nextId());
+                result.nodeOf.at(line) = result.nodes.nextId();
             result.nodes.push_back({chainOf_[lowest], capacities[lowest]});
         }
         return result;
@@ -94,7 +94,7 @@ private:
     const ProblemInput& input_;
     const ArcGraph& graph_;
     const IdVector<ChainId, Chain>& chains_;
-    const SparseIndex<LineId, ChainId>& chainOf_;
+    const SparseIdVector<LineId, ChainId>& chainOf_;
     std::unordered_map<LineId, bool> crackable_;
     std::unordered_set<LineId> reached_;
 };
@@ -102,7 +102,7 @@ private:
 } // namespace
 
 CrackNodes crackNodes(const ProblemInput& input, const IdVector<ChainId, Chain>& chains,
-                      const SparseIndex<LineId, ChainId>& chainOf, const std::vector<LineId>& lines) {
+                      const SparseIdVector<LineId, ChainId>& chainOf, const std::vector<LineId>& lines) {
     return Maker(input, chains, chainOf).make(lines);
 }
 

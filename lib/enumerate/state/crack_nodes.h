@@ -1,8 +1,8 @@
 /// \file Which lines can be cracked, and how often (docs/METHOD.md#cracks).
 #pragma once
 
+#include "base/sparse_id_vector.h"
 #include "enumerate/state/problem.h"
-#include "enumerate/state/sparse_index.h"
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace qm {
 
 struct CrackNodes {
     IdVector<CrackNodeId, CrackNode> nodes;
-    SparseIndex<LineId, CrackNodeId> nodeOf; ///< of the lines that can be cracked
+    SparseIdVector<LineId, CrackNodeId> nodeOf; ///< of the lines that can be cracked
 };
 
 /// Finds the crack nodes of the given lines. Fixed lines that cross at fixed crossings share a node, whose
@@ -18,7 +18,7 @@ struct CrackNodes {
 /// \param chainOf  the chain of every line that has one; the first if a line has two
 /// \param lines    the lines whose nodes are needed, ascending
 [[nodiscard]] CrackNodes crackNodes(const ProblemInput& input, const IdVector<ChainId, Chain>& chains,
-                                    const SparseIndex<LineId, ChainId>& chainOf,
+                                    const SparseIdVector<LineId, ChainId>& chainOf,
                                     const std::vector<LineId>& lines);
 
 } // namespace qm

@@ -1,9 +1,9 @@
 #include "enumerate/state/problem.h"
 
 #include "base/sort_unique.h"
+#include "base/sparse_id_vector.h"
 #include "enumerate/state/crack_nodes.h"
 #include "enumerate/state/line_stretch.h"
-#include "enumerate/state/sparse_index.h"
 
 #include <algorithm>
 #include <vector>
@@ -61,7 +61,7 @@ private:
     void addChain(LineId id) {
         const std::vector<LineStretch> stretches = stretchesOf(input_, id);
         if (stretches.empty()) return;
-        chainOf_.put(id, problem_.chains.nextId());
+        chainOf_.at(id) = problem_.chains.nextId();
         chainLines_.push_back(id);
         for (const LineStretch& stretch : stretches)
             addStretch(id, stretch);
@@ -87,7 +87,7 @@ private:
             problem_.costs.push_back(input_.arcCosts[arc]);
             problem_.domains.push_back(domain);
         }
-        variableOf_.put(arc, problem_.arcs.nextId() - 1);
+        variableOf_.at(arc) = problem_.arcs.nextId() - 1;
     }
 
     /// No track can end at the junction after an arc: nothing crosses there.
@@ -154,10 +154,10 @@ private:
 
     const ProblemInput& input_;
     const ArcGraph& graph_;
-    SparseIndex<ArcId, VariableId> variableOf_;
-    SparseIndex<LineId, ChainId> chainOf_;
+    SparseIdVector<ArcId, VariableId> variableOf_;
+    SparseIdVector<LineId, ChainId> chainOf_;
     std::vector<LineId> chainLines_; ///< that have a chain, ascending
-    SparseIndex<LineId, CrackNodeId> nodeOf_;
+    SparseIdVector<LineId, CrackNodeId> nodeOf_;
     Problem problem_;
 };
 

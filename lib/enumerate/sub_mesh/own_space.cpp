@@ -1,7 +1,7 @@
 #include "enumerate/sub_mesh/own_space.h"
 
 #include "base/sort_unique.h"
-#include "enumerate/state/sparse_index.h"
+#include "base/sparse_id_vector.h"
 
 #include <utility>
 
@@ -32,7 +32,7 @@ private:
         graph.lines.push_back(line);
         graph.lines.back().firstArc = graph.arcs.nextId();
         for (const ArcId arc : line.arcs()) {
-            arcOf_.put(arc, graph.arcs.nextId());
+            arcOf_.at(arc) = graph.arcs.nextId();
             graph.arcs.push_back({own, whole_.arcs[arc].begin, whole_.arcs[arc].end});
             graph.junctionAfter.push_back(whole_.junctionAfter[arc]);
             part_.arcCosts.push_back(space_.arcCosts[arc]);
@@ -47,9 +47,9 @@ private:
         std::vector<JunctionId> met;
         forEachNamed([&](JunctionId& junction) { met.push_back(junction); });
         sortUnique(met);
-        SparseIndex<JunctionId, JunctionId> junctionOf;
+        SparseIdVector<JunctionId, JunctionId> junctionOf;
         for (const JunctionId id : met) {
-            junctionOf.put(id, part_.graph.junctions.nextId());
+            junctionOf.at(id) = part_.graph.junctions.nextId();
             part_.graph.junctions.push_back(ownJunction(whole_.junctions[id]));
             part_.junctionLabels.push_back(space_.junctionLabels[id]);
         }
@@ -80,7 +80,7 @@ private:
     const ArcGraph& whole_;
     SubMeshId subMesh_;
     SearchSpace part_;
-    SparseIndex<ArcId, ArcId> arcOf_; ///< from arcs of the whole space to those of the copy
+    SparseIdVector<ArcId, ArcId> arcOf_; ///< from arcs of the whole space to those of the copy
 };
 
 } // namespace
