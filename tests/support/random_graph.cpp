@@ -141,9 +141,7 @@ bool isMotorcycleGraph(const ArcGraph& graph, const PresentArcs& present) {
         const bool in = present[run.first];
         for (int k = 1; k < run.count; ++k)
             if (present[run.first + k] != in) return false;
-        if (state.isFree(v) ? !state.assign(v, in ? ArcState::in : ArcState::out)
-                            : state.value(v) != (in ? ArcState::in : ArcState::out))
-            return false;
+        if (!state.assign(v, arcState(in))) return false;
     }
     return true;
 }

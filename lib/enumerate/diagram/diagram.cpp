@@ -121,9 +121,8 @@ private:
     Diagram::NodeId follow(std::size_t step, bool in) {
         const Step& decision = steps_[step];
         const SearchState::Mark mark = state_.mark();
-        const bool possible = decision.chain.valid()
-                                  ? state_.decideCover(decision.chain, in)
-                                  : state_.assign(decision.variable, in ? ArcState::in : ArcState::out);
+        const bool possible = decision.chain.valid() ? state_.decideCover(decision.chain, in)
+                                                     : state_.assign(decision.variable, arcState(in));
         const Diagram::NodeId node = possible && !stopped_ ? build(step + 1) : Diagram::none;
         state_.undo(mark);
         return node;

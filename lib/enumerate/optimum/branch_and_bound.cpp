@@ -11,11 +11,6 @@
 #include <algorithm>
 
 namespace qm {
-namespace {
-
-using Tuning = TreeTuning;
-
-} // namespace
 
 BranchAndBound::BranchAndBound(SearchState& state, std::vector<VariableId> variables,
                                const PartOptions& options, const Control& control)
@@ -112,8 +107,8 @@ void BranchAndBound::plunge(SearchTree::NodeId node, double bound) {
         const BranchingChoice choice =
             relaxed == RelaxedNode::solved ? branching_.choose(bound) : branching_.chooseAnyFree(bound);
         Decision first = choice.decision, second = choice.decision;
-        first.state = choice.boundIn <= choice.boundOut ? ArcState::in : ArcState::out;
-        second.state = first.state == ArcState::in ? ArcState::out : ArcState::in;
+        first.state = arcState(choice.boundIn <= choice.boundOut);
+        second.state = arcState(choice.boundIn > choice.boundOut);
         const double firstBound = std::min(choice.boundIn, choice.boundOut);
         const double secondBound = std::max(choice.boundIn, choice.boundOut);
         if (secondBound < part_.incumbents.cutoff()) tree_.open(tree_.add(node, second), secondBound);
@@ -155,7 +150,7 @@ bool BranchAndBound::cutRoot(double& bound) {
 /// Looks for graphs near the relaxed solution, then comes back to it.
 /// \return false if the node is cut now
 bool BranchAndBound::lookAround(double& bound) {
-    nextLook_ = Tuning::growthBetweenDives * nodes_;
+    nextLook_ = TreeTuning::growthBetweenDives * nodes_;
     const ColumnState::Mark mark = part_.columns.mark();
     const Relaxation::Basis basis = part_.relaxation.basis();
     if (part_.variables.size() < part_.options.hard) {

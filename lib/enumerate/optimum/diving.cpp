@@ -51,7 +51,7 @@ bool takeOver(PartSearch& part, VariableId variable, TakenOver values) {
     if (values == TakenOver::asInBest && (part.incumbents.graphs().begin()->second[variable] == 1) != in)
         return false;
     const SearchState::Mark before = part.state.mark();
-    if (part.state.assign(variable, in ? ArcState::in : ArcState::out)) return true;
+    if (part.state.assign(variable, arcState(in))) return true;
     part.state.undo(before);
     return false;
 }
@@ -86,9 +86,7 @@ bool searchRest(PartSearch& part, TakenOver values) {
             found = search.incumbents().graphs().begin()->second;
         }
         for (const VariableId variable : piece)
-            if (part.state.isFree(variable) &&
-                !part.state.assign(variable, found[variable] == 1 ? ArcState::in : ArcState::out))
-                return false;
+            if (!part.state.assign(variable, arcState(found[variable] == 1))) return false;
     }
     return true;
 }

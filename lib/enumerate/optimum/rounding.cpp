@@ -19,9 +19,9 @@ void roundAt(PartSearch& part, double threshold) {
         if (!part.state.isFree(variable)) continue;
         const bool up = part.present(variable) > threshold;
         const SearchState::Mark before = part.state.mark();
-        if (part.state.assign(variable, up ? ArcState::in : ArcState::out)) continue;
+        if (part.state.assign(variable, arcState(up))) continue;
         part.state.undo(before);
-        valid = part.state.assign(variable, up ? ArcState::out : ArcState::in);
+        valid = part.state.assign(variable, arcState(!up));
         if (!valid) break;
     }
     if (valid) part.recordLeaf();
@@ -35,9 +35,7 @@ bool acceptIntegral(PartSearch& part) {
         if (isFractional(part.present(variable))) return false;
     const ColumnState::Mark mark = part.columns.mark();
     const bool valid = std::ranges::all_of(part.variables, [&part](VariableId variable) {
-        const ArcState value = part.present(variable) > 0.5 ? ArcState::in : ArcState::out;
-        return part.state.isFree(variable) ? part.state.assign(variable, value)
-                                           : part.state.value(variable) == value;
+        return part.state.assign(variable, arcState(part.present(variable) > 0.5));
     });
     if (valid) part.recordLeaf();
     part.columns.undo(mark);

@@ -49,10 +49,8 @@ void ColumnState::undo(const Mark& mark) {
 }
 
 bool ColumnState::take(const Decision& decision) {
-    if (decision.about == Decision::About::value) {
-        if (!arcs_.isFree(decision.variable)) return arcs_.value(decision.variable) == decision.state;
+    if (decision.about == Decision::About::value)
         return arcs_.assign(decision.variable, decision.state) && settle();
-    }
     const Formulation::Columns columns = formulation_.columnsOf[decision.variable];
     return fixColumn(decision.about == Decision::About::fromBefore ? columns.fromBefore : columns.fromAfter,
                      decision.state);
@@ -126,8 +124,7 @@ bool ColumnState::columnsToArcs() {
             value = ArcState::in;
         else if (isOut(fromBefore) && isOut(fromAfter))
             value = ArcState::out;
-        if (value == ArcState::free || arcs_.value(variable) == value) continue;
-        if (!arcs_.isFree(variable) || !arcs_.assign(variable, value)) return false;
+        if (value != ArcState::free && !arcs_.assign(variable, value)) return false;
     }
     return true;
 }
@@ -151,9 +148,9 @@ bool ColumnState::visitRow(RowId id) {
         const double weight = std::abs(row.weights[k]);
         const bool positive = row.weights[k] > 0;
         if (max - weight < lower)
-            set(row.columns[k], positive ? ArcState::in : ArcState::out);
+            set(row.columns[k], arcState(positive));
         else if (min + weight > upper)
-            set(row.columns[k], positive ? ArcState::out : ArcState::in);
+            set(row.columns[k], arcState(!positive));
     }
     return true;
 }

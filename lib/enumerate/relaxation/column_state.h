@@ -41,7 +41,7 @@ public:
     [[nodiscard]] Mark mark() const;
     void undo(const Mark& mark);
 
-    /// Takes a decision and draws all conclusions.
+    /// Takes a decision, or confirms it, and draws all conclusions.
     /// \return false on a contradiction; the caller must then undo
     bool take(const Decision& decision);
     bool fixColumn(ColumnId column, ArcState value);

@@ -2,12 +2,12 @@
 
 #include "base/at.h"
 #include "enumerate/relaxation/near_start.h"
+#include "program/coin_infinity.h"
 #include "program/stop_on_request.h"
 
 #include <coin/ClpSimplex.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace qm {
@@ -87,7 +87,7 @@ Relaxation::Result Relaxation::solveWithoutRows(const ColumnState& state, double
 Relaxation::Result Relaxation::solve(const ColumnState& state, double cutoff, int iterations) {
     if (rows_.rows().empty()) return solveWithoutRows(state, cutoff);
     setBounds(state);
-    solver_->setDualObjectiveLimit(std::isinf(cutoff) ? COIN_DBL_MAX : cutoff - fixedCost_);
+    solver_->setDualObjectiveLimit(coinBound(cutoff - fixedCost_));
     constexpr int failed = 4; // a status of Clp
     Result result;
     for (;;) {

@@ -12,6 +12,10 @@ namespace qm {
 /// What is known about an arc before a search.
 enum class ArcState : signed char { out = 0, in = 1, free = -1 };
 
+[[nodiscard]] constexpr ArcState arcState(bool isIn) {
+    return isIn ? ArcState::in : ArcState::out;
+}
+
 /// The states of all arcs, in memory that is linear in the number of free arcs.
 class ArcStates {
 public:
@@ -24,7 +28,7 @@ public:
 
     [[nodiscard]] ArcState operator[](ArcId arc) const {
         if (present_ == nullptr || free_.contains(arc)) return ArcState::free;
-        return (*present_)[arc] ? ArcState::in : ArcState::out;
+        return arcState((*present_)[arc]);
     }
 
 private:

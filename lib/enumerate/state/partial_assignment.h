@@ -27,7 +27,7 @@ public:
     /// The number of variables of a chain that are in.
     [[nodiscard]] int inCount(ChainId chain) const { return inCount_[chain]; }
 
-    /// Gives a free variable a value.
+    /// Gives a variable a value.
     /// \return false if the variable has the other value already
     bool set(VariableId variable, ArcState value);
 

@@ -45,8 +45,9 @@ public:
     [[nodiscard]] Mark mark() const { return {assignment_.mark(), lines_.mark(), cracks_.mark()}; }
     void undo(const Mark& mark);
 
-    /// Gives a free variable a value and draws all local conclusions.
-    /// \return false on a contradiction; the caller must then undo
+    /// Gives a variable a value and draws all local conclusions; nothing changes if it has that value
+    /// already.
+    /// \return false on a contradiction, also with the variable's value; the caller must then undo
     bool assign(VariableId variable, ArcState value) {
         return assignment_.set(variable, value) && propagate();
     }

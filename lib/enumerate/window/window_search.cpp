@@ -31,12 +31,9 @@ struct Tuning {
 
 bool isValid(const Problem& problem, const Assignment& graph) {
     SearchState state(problem);
-    if (!state.consistent()) return false;
-    for (const VariableId v : problem.variables()) {
-        const ArcState wanted = graph[v] == 1 ? ArcState::in : ArcState::out;
-        if (state.isFree(v) ? !state.assign(v, wanted) : state.value(v) != wanted) return false;
-    }
-    return true;
+    return state.consistent() && std::ranges::all_of(problem.variables(), [&](VariableId variable) {
+               return state.assign(variable, arcState(graph[variable] == 1));
+           });
 }
 
 /// Whether arcs form a valid graph that is cheaper than another one. Arcs that share a variable may differ,
@@ -163,8 +160,8 @@ private:
     /// Visits all arcs of a chain.
     template <class Visit> void forEachArc(ChainId chain, const Visit& visit) const {
         for (const VariableId v : whole_.chains[chain].variables())
-            for (int k = 0; k < whole_.arcs[v].count; ++k)
-                visit(whole_.arcs[v].first + k);
+            for (const ArcId arc : whole_.arcs[v].arcs())
+                visit(arc);
     }
 
     /// The problem of a window; everything outside is fixed, so the problem is small.
@@ -197,8 +194,8 @@ private:
             costOf(problem, found.graphs.front()) >= costOf(problem, *options.start) - Incumbents::tolerance)
             return;
         for (const VariableId v : problem.variables())
-            for (int k = 0; k < problem.arcs[v].count; ++k)
-                window.values.push_back({problem.arcs[v].first + k, found.graphs.front()[v] == 1});
+            for (const ArcId arc : problem.arcs[v].arcs())
+                window.values.push_back({arc, found.graphs.front()[v] == 1});
     }
 
     /// Adopts the window's new values, unless those of an earlier window of the batch rule them out.

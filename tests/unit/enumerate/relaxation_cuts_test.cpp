@@ -100,7 +100,7 @@ TEST(OpenRow, SaysWhatItsRowSaysOfEveryCompletion) {
         ColumnState columns(state, formulation);
         if (!columns.consistent() || variables.empty()) continue;
         const VariableId fixed = variables[random() % variables.size()];
-        const ArcState value = drawn->graphs.front()[fixed] == 1 ? ArcState::in : ArcState::out;
+        const ArcState value = arcState(drawn->graphs.front()[fixed] == 1);
         ASSERT_TRUE(!state.isFree(fixed) || columns.take({fixed, Decision::About::value, value}));
         const ColumnValues values = drawCompletion(columns, formulation.costs.size(), random);
         IdVector<ColumnId, int> numberOf(values.size(), -1);
@@ -162,7 +162,7 @@ TEST(RelaxationCuts, EveryGraphObeysThem) {
             const ColumnState::Mark mark = columns.mark();
             for (const VariableId v : drawn->problem->variables())
                 if (state.isFree(v)) {
-                    const ArcState value = assignment[v] == 1 ? ArcState::in : ArcState::out;
+                    const ArcState value = arcState(assignment[v] == 1);
                     ASSERT_TRUE(columns.take({v, Decision::About::value, value}));
                 }
             EXPECT_EQ(relaxation.solve(columns, infinity, 10000).kind, Relaxation::Result::Kind::solved);

@@ -116,7 +116,7 @@ TEST(RootRelaxation, ComesBackToItsState) {
         root.remember(bound);
         const std::vector<VariableId> open = freeVariables(search.state);
         if (open.empty()) return;
-        const ArcState value = graphs.front()[open.front()] == 1 ? ArcState::in : ArcState::out;
+        const ArcState value = arcState(graphs.front()[open.front()] == 1);
         (void)search.part.columns.take({open.front(), Decision::About::value, value});
         const Relaxation::Result again = root.solveAgain();
         EXPECT_EQ(freeVariables(search.state), open);
