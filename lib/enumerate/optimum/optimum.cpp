@@ -15,38 +15,13 @@ namespace {
 
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
-/// The cost of the variables that are in already, and of the corners between them.
-double fixedCost(const SearchState& state) {
-    return costOf(state.problem(), state.assignment());
-}
-
-/// The cheapest graph of the whole problem, from a decision diagram that is built at most once; none if the
-/// diagram would be too large.
-class DiagramOptimum {
-public:
-    DiagramOptimum(const Problem& problem, const Control& control) : problem_(problem), control_(control) {}
-
-    const std::optional<Assignment>& operator()() {
-        if (std::exchange(tried_, true)) return best_;
-        const auto diagram = buildDiagram(problem_, smallDiagram, control_);
-        if (diagram) best_ = cheapestGraph(*diagram);
-        return best_;
-    }
-
-private:
-    const Problem& problem_;
-    const Control& control_;
-    bool tried_ = false;
-    std::optional<Assignment> best_;
-};
-
 /// Finds one graph: the best graphs of all parts together.
 class PartsSearch {
 public:
     PartsSearch(SearchState& state, const OptimumOptions& options, const Control& control,
                 OptimumResult& result)
         : state_(state), options_(options), control_(control), result_(result), graph_(state.assignment()),
-          parts_(independentParts(state)), diagramOptimum_(state.problem(), control) {
+          parts_(independentParts(state)) {
         // The largest part comes last, so that all others are proven if time runs out.
         std::ranges::stable_sort(parts_, {}, [](const auto& part) { return part.size(); });
         if (options.start) result.relaxed.assign(options.start->begin(), options.start->end());
@@ -82,7 +57,7 @@ private:
             });
         search.run();
         if (mayUseDiagram(part) && !search.complete() && !control_.stopRequested()) {
-            if (const auto& best = diagramOptimum_())
+            if (const auto& best = diagramOptimum())
                 search.conclude(*best);
             else
                 search.resume(options_.nodes);
@@ -92,6 +67,15 @@ private:
         for (const VariableId v : part)
             graph_[v] = search.incumbents().graphs().begin()->second[v];
         return true;
+    }
+
+    /// The cheapest graph of the whole problem, from a decision diagram that is built at most once; none if
+    /// the diagram would be too large.
+    const std::optional<Assignment>& diagramOptimum() {
+        if (std::exchange(diagramIsTried_, true)) return diagramOptimum_;
+        if (const auto diagram = buildDiagram(state_.problem(), smallDiagram, control_))
+            diagramOptimum_ = cheapestGraph(*diagram);
+        return diagramOptimum_;
     }
 
     /// Whether a decision diagram is tried if the tree of a part grows large.
@@ -119,18 +103,12 @@ private:
     [[nodiscard]] Assignment polish(const Part& part, const Assignment& best,
                                     const std::vector<double>& relaxedPart) const {
         Assignment graph = *options_.start;
-        for (const VariableId v : part)
-            graph[v] = best[v];
-        return options_.polish(graph, withRelaxed(part, relaxedPart));
-    }
-
-    /// What is known of the relaxed values of all variables, and those of one part.
-    [[nodiscard]] IdVector<VariableId, double> withRelaxed(const Part& part,
-                                                           const std::vector<double>& relaxedPart) const {
         IdVector<VariableId, double> relaxed = result_.relaxed;
-        for (std::size_t k = 0; k < part.size(); ++k)
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            graph[part[k]] = best[part[k]];
             relaxed[part[k]] = relaxedPart[k];
-        return relaxed;
+        }
+        return options_.polish(graph, relaxed);
     }
 
     /// Adds what a search has found out about a part, other than its graph.
@@ -153,7 +131,8 @@ private:
     Assignment graph_;
     std::vector<Part> parts_;
     std::size_t variablesLeft_ = 0; ///< of the parts that have not been searched
-    DiagramOptimum diagramOptimum_;
+    bool diagramIsTried_ = false;
+    std::optional<Assignment> diagramOptimum_;
 };
 
 /// Finds several graphs. Choices of different parts combine, so all parts are searched together.
@@ -201,7 +180,7 @@ OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options,
     SearchState state(problem);
     if (!state.consistent()) return {{}, infinity, true, 0, 0, {}, {}};
     OptimumResult result;
-    result.lowerBound = fixedCost(state);
+    result.lowerBound = costOf(problem, state.assignment()); // of what is decided already
     if (state.freeVariables() == 0 || options.best == 1)
         PartsSearch(state, options, control, result).run();
     else
