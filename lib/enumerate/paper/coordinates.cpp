@@ -11,57 +11,49 @@ namespace {
 using Visit = std::function<bool(const Assignment&)>;
 using StopRequested = std::function<bool()>;
 
-/// Asks the caller now and then whether to stop, because most steps of these searches lead to no graph.
-class Patience {
-public:
-    explicit Patience(const StopRequested& stopRequested) : stopRequested_(stopRequested) {}
+/// What the searches share.
+struct Search {
+    const Problem& problem;
+    const Visit& visit;
+    const StopRequested& stopRequested;
+    const Courses courses;
+    std::size_t steps = 0;
 
-    bool ended() { return ++steps_ % 4096 == 0 && stopRequested_(); }
+    /// Asks the caller now and then whether to stop, because most steps lead to no graph.
+    bool isEnded() { return ++steps % 4096 == 0 && stopRequested(); }
 
-private:
-    const StopRequested& stopRequested_;
-    std::size_t steps_ = 0;
-};
-
-class NaiveSearch {
-public:
-    NaiveSearch(const Problem& problem, const Visit& visit, const StopRequested& stopRequested)
-        : problem_(problem), visit_(visit), patience_(stopRequested), courses_(findCourses(problem)),
-          x_(courses_.size()) {}
-
-    bool run(CourseId i = CourseId(0)) {
-        if (patience_.ended()) return false;
-        if (i == courses_.nextId())
-            return !validCoordinates(courses_, x_) || visit_(assignmentOf(problem_, courses_, x_));
-        for (x_[i] = 0; x_[i] <= courses_[i].max; ++x_[i])
-            if (!run(i + 1)) return false;
-        return true;
+    /// Visits the graph of a vector unless it lacks a variable that is in from the start. Courses know only
+    /// which variables are out: one that is in may be walked by either particle of its chain.
+    [[nodiscard]] bool visitGraph(const Coordinates& x) const {
+        const Assignment graph = assignmentOf(problem, courses, x);
+        const bool isValid = std::ranges::all_of(problem.variables(), [&](VariableId variable) {
+            return graph[variable] == 1 || problem.domains[variable] != ArcState::in;
+        });
+        return !isValid || visit(graph);
     }
-
-private:
-    const Problem& problem_;
-    const Visit& visit_;
-    Patience patience_;
-    Courses courses_;
-    Coordinates x_;
 };
+
+/// Tries all values of the coordinates from the given one on.
+bool searchNaively(Search& search, Coordinates& x, CourseId i) {
+    if (search.isEnded()) return false;
+    if (i == search.courses.nextId()) return !validCoordinates(search.courses, x) || search.visitGraph(x);
+    for (x[i] = 0; x[i] <= search.courses[i].max; ++x[i])
+        if (!searchNaively(search, x, i + 1)) return false;
+    return true;
+}
 
 /// Depth first over the particles with bounds L_i <= x_i <= U_i, kept on a stack for undoing.
 class BoundedSearch {
 public:
-    BoundedSearch(const Problem& problem, bool improved, const Visit& visit,
-                  const StopRequested& stopRequested)
-        : problem_(problem), improved_(improved), visit_(visit), patience_(stopRequested),
-          courses_(findCourses(problem)) {
-        for (const Course& course : courses_) {
-            lower_.push_back(0);
+    BoundedSearch(Search& search, bool improved)
+        : search_(search), courses_(search.courses), improved_(improved), lower_(courses_.size(), 0) {
+        for (const Course& course : courses_)
             upper_.push_back(course.max);
-        }
     }
 
     bool run(CourseId i = CourseId(0)) {
-        if (patience_.ended()) return false;
-        if (i == courses_.nextId()) return visit_(assignmentOf(problem_, courses_, lower_));
+        if (search_.isEnded()) return false;
+        if (i == courses_.nextId()) return search_.visitGraph(lower_);
         for (int j = lower_[i], last = upper_[i]; j <= last; ++j) {
             const std::size_t mark = undo_.size();
             const bool goOn = !(fix(i, j) && block(courses_[i], j)) || finish(i, j);
@@ -158,11 +150,9 @@ private:
                attempt(i, [&] { return apart() && (stop.wall || bothEnd()); });
     }
 
-    const Problem& problem_;
+    Search& search_;
+    const Courses& courses_;
     bool improved_;
-    const Visit& visit_;
-    Patience patience_;
-    Courses courses_;
     Coordinates lower_;
     Coordinates upper_;
     std::vector<Undo> undo_;
@@ -171,33 +161,21 @@ private:
 /// These searches take a call for every particle, and there is no hope for so many anyway.
 constexpr std::size_t maxParticles = 5000;
 
-void verifyParticles(const Problem& problem) {
-    const std::size_t count = findCourses(problem).size();
+} // namespace
+
+bool forEachCoordinateVector(const Problem& problem, CoordinateMethod method, const Visit& visit,
+                             const StopRequested& stopRequested) {
+    Search search{problem, visit, stopRequested, findCourses(problem)};
+    const std::size_t count = search.courses.size();
     if (count > maxParticles)
         throw Error("",
                     std::to_string(count) + " particles are too many for the paper's methods, which take " +
                         std::to_string(maxParticles),
                     "Use --method optimum, or a smaller --chi of qm-cut");
-}
-
-/// Whether a graph has all variables that are in from the start. Courses know only which variables are out:
-/// one that is in may be walked by either particle of its chain.
-bool hasRequired(const Problem& problem, const Assignment& graph) {
-    return std::ranges::all_of(problem.variables(), [&](VariableId variable) {
-        return graph[variable] == 1 || problem.domains[variable] != ArcState::in;
-    });
-}
-
-} // namespace
-
-bool forEachCoordinateVector(const Problem& problem, CoordinateMethod method, const Visit& visit,
-                             const StopRequested& stopRequested) {
-    verifyParticles(problem);
-    const Visit visitValid = [&](const Assignment& graph) {
-        return !hasRequired(problem, graph) || visit(graph);
-    };
-    if (method == CoordinateMethod::naive) return NaiveSearch(problem, visitValid, stopRequested).run();
-    return BoundedSearch(problem, method == CoordinateMethod::improved, visitValid, stopRequested).run();
+    if (method != CoordinateMethod::naive)
+        return BoundedSearch(search, method == CoordinateMethod::improved).run();
+    Coordinates x(count);
+    return searchNaively(search, x, CourseId(0));
 }
 
 } // namespace qm
