@@ -4,7 +4,6 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "enumerate/diagram/count_and_draw.h"
-#include "enumerate/diagram/count_graphs.h"
 #include "enumerate/diagram/walk.h"
 #include "enumerate/paper/coordinates.h"
 #include "enumerate/state/depth_first.h"

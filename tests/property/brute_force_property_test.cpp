@@ -2,7 +2,7 @@
 // number of graphs, the minimum and the best graphs must agree.
 #include "base/at.h"
 #include "basecomplex/arc_graph.h"
-#include "enumerate/diagram/count_graphs.h"
+#include "enumerate/diagram/count_and_draw.h"
 #include "enumerate/optimum/optimum.h"
 #include "support/brute_force.h"
 #include "support/checked_mesh.h"

@@ -3,7 +3,6 @@
 #include "base/at.h"
 #include "base/infinity.h"
 #include "enumerate/diagram/count_and_draw.h"
-#include "enumerate/diagram/count_graphs.h"
 #include "enumerate/diagram/walk.h"
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/paper/coordinates.h"

@@ -1,4 +1,5 @@
-/// \file Counting the graphs of a decision diagram, and drawing graphs by their rank.
+/// \file The exact number of motorcycle graphs, and graphs drawn at random
+/// (docs/METHOD.md#decision-diagrams).
 #pragma once
 
 #include "base/big_count.h"
@@ -7,6 +8,15 @@
 #include <vector>
 
 namespace qm {
+
+/// The number of graphs, from a decision diagram or, if that would be too large, by `countByParts`.
+/// \return nothing if `control.stopRequested` ended the count
+[[nodiscard]] std::optional<BigCount> countGraphs(const Problem& problem, const Control& control = {});
+
+/// The same without a diagram: decides one variable, counts the independent parts that remain one by one, and
+/// multiplies their counts. Memory is linear in the problem where it falls apart soon, and quadratic at
+/// worst.
+[[nodiscard]] std::optional<BigCount> countByParts(const Problem& problem, const Control& control = {});
 
 /// For every node the number of paths to the end.
 [[nodiscard]] std::vector<BigCount> countPaths(const Diagram& diagram);

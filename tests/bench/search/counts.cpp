@@ -3,7 +3,7 @@
 #include "bench/search/stopwatch.h"
 #include "bench/search/tables.h"
 #include "bench/search_problem.h"
-#include "enumerate/diagram/count_graphs.h"
+#include "enumerate/diagram/count_and_draw.h"
 #include "mesh/files/read_mesh.h"
 #include "support/shared_files.h"
 
