@@ -37,13 +37,9 @@ void FreeParticles::update(const std::vector<ArcId>& changed) {
 void FreeParticles::place(Particle particle) {
     SubMeshId& place = placeOf_[2 * particle.line.idx() + (particle.fromEnd ? 1 : 0)];
     if (place.valid()) count_ -= waiting_[place].erase(particle);
-    place = subMeshOf(particle);
-    if (place.valid()) count_ += waiting_[place].insert(particle).second ? 1 : 0;
-}
-
-SubMeshId FreeParticles::subMeshOf(Particle particle) const {
-    if (!isFree(space_.graph, particle, present_)) return {};
-    return space_.junctionLabels[crashJunction(space_.graph, particle, present_)];
+    const JunctionId end = freeEnd(space_.graph, particle, present_);
+    place = end.valid() ? space_.junctionLabels[end] : SubMeshId();
+    if (place.valid() && waiting_[place].insert(particle).second) ++count_;
 }
 
 } // namespace qm

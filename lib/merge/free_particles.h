@@ -26,13 +26,11 @@ public:
 
 private:
     void place(Particle particle);
-    /// The sub-mesh where a particle waits; none if the particle is not free.
-    [[nodiscard]] SubMeshId subMeshOf(Particle particle) const;
 
     const SearchSpace& space_;
     const PresentArcs& present_;
     std::unordered_map<SubMeshId, std::set<Particle>> waiting_; ///< by sub-mesh
-    std::vector<SubMeshId> placeOf_;                            ///< sub-mesh of both particles of every line
+    std::vector<SubMeshId> placeOf_; ///< sub-mesh where both particles of every line wait
     std::size_t count_ = 0;
 };
 

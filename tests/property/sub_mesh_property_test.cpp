@@ -201,7 +201,7 @@ TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
             free.update(changed);
             IdVector<SubMeshId, std::vector<Particle>> expected(at(drawn.parts.count));
             for (const Particle particle : freeParticles(graph, present)) {
-                const JunctionId junction = crashJunction(graph, particle, present);
+                const JunctionId junction = freeEnd(graph, particle, present);
                 expected[drawn.space.junctionLabels[junction]].push_back(particle);
             }
             std::size_t count = 0;

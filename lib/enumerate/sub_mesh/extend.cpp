@@ -15,22 +15,16 @@ void extendParticle(const ArcGraph& graph, Particle particle, PresentArcs& prese
         present[walk.arc(walked)] = true;
 }
 
-JunctionId crashJunction(const ArcGraph& graph, Particle particle, const PresentArcs& present) {
+JunctionId freeEnd(const ArcGraph& graph, Particle particle, const PresentArcs& present) {
     const LineWalk walk(graph, particle);
     const int covered = walk.covered(present);
-    return covered == 0 ? JunctionId{} : walk.junction(covered);
-}
-
-bool isFree(const ArcGraph& graph, Particle particle, const PresentArcs& present) {
-    const LineWalk walk(graph, particle);
-    const int covered = walk.covered(present);
-    return covered > 0 && covered < walk.arcCount() && !walk.blocked(covered, present);
+    return covered > 0 && !walk.blocked(covered, present) ? walk.junction(covered) : JunctionId();
 }
 
 std::vector<Particle> freeParticles(const ArcGraph& graph, const PresentArcs& present) {
     std::vector<Particle> result;
     const auto addIfFree = [&](Particle particle) {
-        if (isFree(graph, particle, present)) result.push_back(particle);
+        if (freeEnd(graph, particle, present).valid()) result.push_back(particle);
     };
     for (const LineId line : graph.lines.ids()) {
         addIfFree({line, false});

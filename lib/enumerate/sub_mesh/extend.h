@@ -13,10 +13,7 @@ struct Particle {
     LineId line;
     bool fromEnd = false; ///< whether it starts at the line's end and walks towards the beginning
 
-    bool operator==(const Particle&) const = default;
-    bool operator<(const Particle& other) const {
-        return line == other.line ? fromEnd < other.fromEnd : line < other.line;
-    }
+    auto operator<=>(const Particle&) const = default; // NOLINT(modernize-use-nullptr): no pointer
 };
 
 /// Lets the particle walk on from the end of its track: to the first junction where both arcs of the crossing
@@ -33,13 +30,12 @@ void extendParticle(const ArcGraph& graph, Particle particle, PresentArcs& prese
 std::size_t extendCheapestFirst(const ArcGraph& graph, const IdVector<ArcId, double>& arcCosts,
                                 PresentArcs& present);
 
-/// Whether the particle's track ends unfinished, at a junction that the other line does not pass (rule 2).
-[[nodiscard]] bool isFree(const ArcGraph& graph, Particle particle, const PresentArcs& present);
+/// The junction where the track of a free particle ends, unfinished as the other line does not pass there
+/// (rule 2).
+/// \return none if the particle is not free
+[[nodiscard]] JunctionId freeEnd(const ArcGraph& graph, Particle particle, const PresentArcs& present);
 
-/// The particles whose tracks end unfinished.
+/// All free particles, ascending.
 [[nodiscard]] std::vector<Particle> freeParticles(const ArcGraph& graph, const PresentArcs& present);
-
-/// The junction where the particle's track ends; none at the line's far end and before its first arc.
-[[nodiscard]] JunctionId crashJunction(const ArcGraph& graph, Particle particle, const PresentArcs& present);
 
 } // namespace qm
