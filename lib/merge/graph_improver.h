@@ -3,15 +3,47 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/sub_mesh/search_space.h"
 #include "enumerate/window/window_search.h"
-#include "merge/known_so_far.h"
 
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
 namespace qm {
+
+/// The known cost and lower bound of a graph that is being improved, for callers who want to follow; any
+/// thread may set them.
+class KnownSoFar {
+public:
+    /// \param tell  called from any thread; may be empty
+    /// Both arguments must outlive the object.
+    KnownSoFar(const Control& control, const KnownCost& tell, double cost)
+        : control_(control), tell_(tell), cost_(cost) {}
+
+    void setCost(double cost) { cost_ = cost; }
+    void setBound(double bound) { bound_ = bound; }
+
+    /// A control for searches that run at the same time: it shows no progress, but reports the known cost and
+    /// bound whenever it is asked whether to stop.
+    [[nodiscard]] Control control() const {
+        Control control;
+        control.jobs = control_.jobs;
+        control.stopRequested = [this] {
+            if (tell_) tell_(cost_, bound_);
+            return control_.stopRequested();
+        };
+        return control;
+    }
+
+private:
+    const Control& control_;
+    const KnownCost& tell_;
+    std::atomic<double> cost_;
+    std::atomic<double> bound_ = -infinity;
+};
 
 /// The graph is valid at every step, and its cost never rises.
 class GraphImprover {

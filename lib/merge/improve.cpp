@@ -3,7 +3,6 @@
 #include "base/deadline.h"
 #include "base/parallel.h"
 #include "merge/graph_improver.h"
-#include "merge/known_so_far.h"
 
 #include <algorithm>
 #include <array>

@@ -5,10 +5,9 @@
 #include "enumerate/paper/plain_graph.h"
 #include "enumerate/state/incumbents.h"
 #include "layout/tracks.h"
+#include "merge/across_cut.h"
 #include "merge/generators.h"
 #include "merge/improve.h"
-#include "merge/move_cuts.h"
-#include "merge/search_whole.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,10 +1,9 @@
 #include "base/infinity.h"
 #include "enumerate/paper/plain_graph.h"
 #include "layout/tracks.h"
+#include "merge/across_cut.h"
 #include "merge/graph_improver.h"
 #include "merge/improve.h"
-#include "merge/move_cuts.h"
-#include "merge/search_whole.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 

@@ -1,8 +1,10 @@
-/// \file Searching the whole mesh at once, as far as that takes little time (docs/METHOD.md#merging).
+/// \file Searching the whole mesh after its sub-meshes, so that no graph suffers from where the cut runs
+/// (docs/METHOD.md#merging).
 #pragma once
 
 #include "base/control.h"
 #include "enumerate/sub_mesh/search_space.h"
+#include "enumerate/window/window_search.h"
 
 #include <optional>
 
@@ -22,5 +24,12 @@ struct WholeSearch {
 /// \return nothing if the mesh has so many lines that the search would take too long
 [[nodiscard]] std::optional<WholeSearch> searchWhole(const SearchSpace& space, const PresentArcs& present,
                                                      const Control& control = {});
+
+/// Searches windows that are no harder than a sub-mesh, wherever the cut runs, up to a limit of their number.
+/// \param present     the arcs of a valid graph of the whole mesh
+/// \param complexity  chi of the sub-meshes
+/// \param relaxed     value of every arc in the relaxed solution; empty if unknown
+[[nodiscard]] WindowResult moveCuts(const SearchSpace& space, const PresentArcs& present, double complexity,
+                                    IdVector<ArcId, double> relaxed, const Control& control = {});
 
 } // namespace qm
