@@ -35,7 +35,7 @@ void SurfaceDistances::prepare(const std::vector<VertexId>& vertices) {
 
 void SurfaceDistances::prepare(const std::vector<VertexId>& vertices, int radius) {
     makeCells(vertices, radius);
-    const std::vector<CellTie> ties = cellTies(mesh_, labels_, vertices, cellOf_);
+    const std::vector<CellTie> ties = tiesOf(vertices);
     // The front itself finds the distances of single vertices from their neighbours.
     findNeighbours(radius > 0 ? ties : std::vector<CellTie>{});
     std::vector<Point> points;
@@ -72,6 +72,37 @@ void SurfaceDistances::growCell(VertexId centre, int radius) {
             reached.push_back(other);
         }
     }
+}
+
+/// The ties of all quads that have corners in several cells, each once, ascending. Corners outside the
+/// sub-mesh do not count.
+std::vector<SurfaceDistances::CellTie> SurfaceDistances::tiesOf(const std::vector<VertexId>& vertices) const {
+    std::vector<CellTie> ties;
+    for (const VertexId vertex : vertices)
+        for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
+            if (!mesh_.is_boundary(halfedge))
+                if (const auto tie = tieOf(halfedge)) ties.push_back(*tie);
+    sortUnique(ties);
+    return ties;
+}
+
+/// The tie of a quad whose lowest corner in the sub-mesh is the one that the halfedge leaves.
+std::optional<SurfaceDistances::CellTie> SurfaceDistances::tieOf(HalfedgeId halfedge) const {
+    const VertexId vertex = mesh_.from_vertex_handle(halfedge);
+    CellTie tie{cellOf_[at(vertex)]};
+    std::size_t count = 1;
+    for (int k = 1; k < 4; ++k) {
+        const VertexId corner = mesh_.to_vertex_handle(halfedge);
+        halfedge = mesh_.next_halfedge_handle(halfedge);
+        if (labels_[at(corner)] != labels_[at(vertex)]) continue;
+        if (corner.idx() < vertex.idx()) return std::nullopt;
+        const int cell = cellOf_[at(corner)];
+        if (std::find(tie.begin(), tie.begin() + count, cell) == tie.begin() + count) tie[count++] = cell;
+    }
+    if (count < 2) return std::nullopt;
+    std::rotate(tie.begin(), std::min_element(tie.begin(), tie.begin() + count), tie.begin() + count);
+    std::fill(tie.begin() + count, tie.end(), tie[count - 1]);
+    return tie;
 }
 
 void SurfaceDistances::findNeighbours(const std::vector<CellTie>& ties) {

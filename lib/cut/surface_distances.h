@@ -4,9 +4,9 @@
 
 #include "base/at.h"
 #include "base/ids.h"
-#include "cut/cell_ties.h"
 #include "cut/geodesics.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -38,8 +38,13 @@ public:
     [[nodiscard]] std::vector<double> between(VertexId source, const std::vector<VertexId>& targets);
 
 private:
+    /// Cells at the corners of a quad, around it; if there are fewer than four, the last one is repeated.
+    using CellTie = std::array<int, 4>;
+
     void makeCells(const std::vector<VertexId>& vertices, int radius);
     void growCell(VertexId centre, int radius);
+    [[nodiscard]] std::vector<CellTie> tiesOf(const std::vector<VertexId>& vertices) const;
+    [[nodiscard]] std::optional<CellTie> tieOf(HalfedgeId halfedge) const;
     void findNeighbours(const std::vector<CellTie>& ties);
     [[nodiscard]] int& cellOf(VertexId vertex) { return cellOf_[at(vertex)]; }
     [[nodiscard]] double length(VertexId vertex, int cell) const;

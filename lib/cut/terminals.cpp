@@ -1,5 +1,6 @@
 #include "cut/terminals.h"
 
+#include "base/positions.h"
 #include "cut/farthest_pair.h"
 #include "mesh/bounding_box.h"
 
@@ -58,21 +59,12 @@ std::vector<Point> directions(int count) {
 
 std::vector<TerminalPair> farthest(const QuadMesh& mesh, const std::vector<VertexId>& vertices) {
     std::vector<VertexId> extremes;
+    std::vector<double> heights(vertices.size());
     for (const Point& direction : directions(128)) {
-        VertexId lowest = vertices.front(), highest = lowest;
-        double low = mesh.point(lowest) | direction, high = low;
-        for (const VertexId vertex : vertices) {
-            const double height = mesh.point(vertex) | direction;
-            if (height < low) {
-                low = height;
-                lowest = vertex;
-            }
-            if (height > high) {
-                high = height;
-                highest = vertex;
-            }
-        }
-        extremes.insert(extremes.end(), {lowest, highest});
+        std::ranges::transform(vertices, heights.begin(),
+                               [&](VertexId vertex) { return mesh.point(vertex) | direction; });
+        for (const auto extreme : {std::ranges::min_element(heights), std::ranges::max_element(heights)})
+            extremes.push_back(vertices[positionIn(heights, extreme)]);
     }
     const auto distance = [&](VertexId a, VertexId b) { return (mesh.point(a) - mesh.point(b)).sqrnorm(); };
     VertexId a = vertices.front(), b = a;
