@@ -2,8 +2,7 @@
 
 #include "base/deadline.h"
 #include "base/infinity.h"
-#include "program/coin_infinity.h"
-#include "program/stop_on_request.h"
+#include "program/coin.h"
 
 #include <coin/CbcCompareObjective.hpp>
 #include <coin/CbcEventHandler.hpp>

@@ -2,8 +2,7 @@
 
 #include "base/at.h"
 #include "enumerate/relaxation/near_start.h"
-#include "program/coin_infinity.h"
-#include "program/stop_on_request.h"
+#include "program/coin.h"
 
 #include <coin/ClpSimplex.hpp>
 

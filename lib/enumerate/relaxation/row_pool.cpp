@@ -1,6 +1,6 @@
 #include "enumerate/relaxation/row_pool.h"
 
-#include "program/coin_infinity.h"
+#include "program/coin.h"
 
 #include <coin/ClpSimplex.hpp>
 

@@ -3,7 +3,7 @@
 #include "enumerate/optimum/node_relaxation.h"
 #include "enumerate/optimum/root_relaxation.h"
 #include "enumerate/relaxation/near_start.h"
-#include "program/stop_on_request.h"
+#include "program/coin.h"
 #include "support/random_problem.h"
 
 #include <coin/ClpSimplex.hpp>
