@@ -4,7 +4,7 @@
 #include "base/positions.h"
 #include "base/sparse_disjoint_sets.h"
 #include "mesh/topology.h"
-#include "prune/turn.h"
+#include "prune/border_angles.h"
 #include "prune/vertex_room.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "base/at.h"
 #include "mesh/topology.h"
-#include "prune/turn.h"
+#include "prune/border_angles.h"
 #include "prune/vertex_room.h"
 
 #include <algorithm>

@@ -5,8 +5,7 @@
 #include "layout/tracks.h"
 #include "mesh/roundness.h"
 #include "mesh/topology.h"
-#include "prune/sharp_edge.h"
-#include "prune/turn.h"
+#include "prune/border_angles.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,6 @@
 #include "prune/vertex_room.h"
 
-#include "prune/sharp_edge.h"
-#include "prune/turn.h"
+#include "prune/border_angles.h"
 
 #include <cmath>
 #include <utility>
