@@ -53,43 +53,16 @@ void RowPool::takeUp(const ColumnState& state, const IdVector<ColumnId, int>& nu
     isInSolver_.resize(rows_.size(), false);
 }
 
-void RowPool::giveFirst(ClpSimplex& solver, const ColumnState& state) {
-    std::vector<std::size_t> first;
-    for (std::size_t id = 0; id < rows_.size(); ++id)
-        if (rows_[id].columns.size() == 2) first.push_back(id);
-    if (first.empty()) // the solver needs at least one row
-        for (std::size_t id = 0; id < rows_.size(); ++id)
-            first.push_back(id);
-    give(solver, first, state);
-}
-
-bool RowPool::giveBroken(ClpSimplex& solver, const ColumnState& state) {
-    const double* values = solver.primalColumnSolution();
-    std::vector<std::size_t> rows;
-    for (std::size_t id = 0; id < rows_.size(); ++id) {
-        if (isInSolver_[id]) continue;
-        const OpenRow& row = rows_[id];
-        const double sum = row.sum(values);
-        if (sum < state.rowLower(row.row) - broken || sum > formulation_->rows[row.row].upper + broken)
-            rows.push_back(id);
-    }
-    give(solver, rows, state);
-    return !rows.empty();
-}
-
-void RowPool::giveTight(ClpSimplex& solver, const ColumnState& state, const IdVector<RowId, double>& duals) {
-    std::vector<std::size_t> tight;
-    for (std::size_t id = 0; id < rows_.size(); ++id)
-        if (!isInSolver_[id] && std::abs(duals[RowId(id)]) > minDual) tight.push_back(id);
-    give(solver, tight, state);
-}
-
-void RowPool::give(ClpSimplex& solver, const std::vector<std::size_t>& rows, const ColumnState& state) {
-    if (rows.empty()) return;
+/// Gives the solver the rows that it does not have and for which a condition holds.
+/// \param holds  gets the number of a row
+/// \return whether there are any
+template <class Condition>
+bool RowPool::giveWhere(ClpSimplex& solver, const ColumnState& state, const Condition& holds) {
     std::vector<CoinBigIndex> starts{0};
     std::vector<int> columns;
     std::vector<double> weights, lower, upper;
-    for (const std::size_t id : rows) {
+    for (std::size_t id = 0; id < rows_.size(); ++id) {
+        if (isInSolver_[id] || !holds(id)) continue;
         const OpenRow& row = rows_[id];
         columns.insert(columns.end(), row.columns.begin(), row.columns.end());
         weights.insert(weights.end(), row.weights.begin(), row.weights.end());
@@ -99,8 +72,28 @@ void RowPool::give(ClpSimplex& solver, const std::vector<std::size_t>& rows, con
         inSolver_.push_back(id);
         isInSolver_[id] = true;
     }
-    solver.addRows(static_cast<int>(rows.size()), lower.data(), upper.data(), starts.data(), columns.data(),
+    if (lower.empty()) return false;
+    solver.addRows(static_cast<int>(lower.size()), lower.data(), upper.data(), starts.data(), columns.data(),
                    weights.data());
+    return true;
+}
+
+void RowPool::giveFirst(ClpSimplex& solver, const ColumnState& state) {
+    if (!giveWhere(solver, state, [&](std::size_t id) { return rows_[id].columns.size() == 2; }))
+        giveWhere(solver, state, [](std::size_t) { return true; }); // the solver needs at least one row
+}
+
+bool RowPool::giveBroken(ClpSimplex& solver, const ColumnState& state) {
+    const double* values = solver.primalColumnSolution();
+    return giveWhere(solver, state, [&](std::size_t id) {
+        const OpenRow& row = rows_[id];
+        const double sum = row.sum(values);
+        return sum < state.rowLower(row.row) - broken || sum > formulation_->rows[row.row].upper + broken;
+    });
+}
+
+void RowPool::giveTight(ClpSimplex& solver, const ColumnState& state, const IdVector<RowId, double>& duals) {
+    giveWhere(solver, state, [&](std::size_t id) { return std::abs(duals[RowId(id)]) > minDual; });
 }
 
 void RowPool::takeIdle(ClpSimplex& solver) {

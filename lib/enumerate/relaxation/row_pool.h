@@ -62,7 +62,8 @@ public:
     [[nodiscard]] std::vector<double> duals(const ClpSimplex& solver) const;
 
 private:
-    void give(ClpSimplex& solver, const std::vector<std::size_t>& rows, const ColumnState& state);
+    template <class Condition>
+    bool giveWhere(ClpSimplex& solver, const ColumnState& state, const Condition& holds);
 
     const Formulation* formulation_;
     RowId next_{0}; ///< the formulation's first row that has not been read

@@ -18,17 +18,12 @@ void SmallestCut::addEdge(std::size_t from, std::size_t to, double capacity) {
     edges_.push_back({from, 0});
 }
 
-double SmallestCut::find(std::size_t source, std::size_t sink) {
-    double flow = 0;
+void SmallestCut::find(std::size_t source, std::size_t sink) {
     for (findLevels(source); levels_[sink] >= 0; findLevels(source)) {
         next_.assign(edgesOf_.size(), 0);
-        double pushed = 0;
-        do {
-            pushed = push(source, sink, infinity);
-            flow += pushed;
-        } while (pushed > 0);
+        while (push(source, sink, infinity) > 0) {
+        }
     }
-    return flow;
 }
 
 void SmallestCut::findLevels(std::size_t source) {

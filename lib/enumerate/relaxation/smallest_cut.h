@@ -12,8 +12,7 @@ public:
     explicit SmallestCut(std::size_t nodes) : edgesOf_(nodes) {}
 
     void addEdge(std::size_t from, std::size_t to, double capacity);
-    /// \return the capacity of the smallest cut
-    double find(std::size_t source, std::size_t sink);
+    void find(std::size_t source, std::size_t sink);
     /// Whether a node is on the source's side of the cut; to be called after `find`.
     [[nodiscard]] bool isBefore(std::size_t node) const { return levels_[node] >= 0; }
 
