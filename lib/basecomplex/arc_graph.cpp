@@ -144,6 +144,16 @@ ArcGraph buildArcGraph(const QuadMesh& mesh, const BaseComplex& complex,
     return Builder(mesh, complex, labels).build();
 }
 
+std::vector<JunctionId> junctionsOf(const ArcGraph& graph, LineId id) {
+    const Line& line = graph.lines[id];
+    std::vector<JunctionId> junctions{line.beginsAt};
+    const auto inner = graph.junctionAfter.begin() + line.firstArc.value();
+    junctions.insert(junctions.end(), inner, inner + line.arcCount - 1);
+    junctions.push_back(line.endsAt);
+    std::erase_if(junctions, [](JunctionId junction) { return !junction.valid(); });
+    return junctions;
+}
+
 std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex, ArcId arc) {
     return halfedgesOf(graph, complex, ArcRun{arc, 1});
 }

@@ -68,6 +68,9 @@ struct ArcGraph {
     [[nodiscard]] const Line& lineOf(ArcId arc) const { return lines[arcs[arc].line]; }
 };
 
+/// The junctions on a line in its direction, those included at which it begins or ends.
+[[nodiscard]] std::vector<JunctionId> junctionsOf(const ArcGraph& graph, LineId line);
+
 /// Of every arc, whether a graph has it.
 using PresentArcs = IdVector<ArcId, bool>;
 

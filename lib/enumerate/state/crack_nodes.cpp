@@ -17,25 +17,27 @@ public:
         : input_(input), graph_(input.graph), chains_(chains), chainOf_(chainOf) {}
 
     CrackNodes make(const std::vector<LineId>& lines) {
-        std::map<LineId, std::vector<LineId>> groups; // keyed by the lowest line, which orders the nodes
-        std::map<LineId, int> capacities;
+        std::map<LineId, Group> groups; // keyed by the lowest line, which orders the nodes
         for (const LineId line : lines) {
             if (!isCrackable(line) || !reached_.insert(line).second) continue;
-            auto [group, capacity] = joined(line);
-            const LineId lowest = *std::ranges::min_element(group);
-            capacities[lowest] = capacity;
-            groups[lowest] = std::move(group);
+            Group group = joined(line);
+            groups[std::ranges::min(group.lines)] = std::move(group);
         }
         CrackNodes result;
         for (const auto& [lowest, group] : groups) {
-            for (const LineId line : group)
+            for (const LineId line : group.lines)
                 result.nodeOf.at(line) = result.nodes.nextId();
-            result.nodes.push_back({chainOf_[lowest], capacities[lowest]});
+            result.nodes.push_back({chainOf_[lowest], group.capacity});
         }
         return result;
     }
 
 private:
+    struct Group {
+        std::vector<LineId> lines;
+        int capacity = 0;
+    };
+
     /// A line can be cracked if particles walk it from both ends and all arcs outside its chain are in.
     [[nodiscard]] bool isCrackable(LineId id) {
         const auto [known, added] = crackable_.try_emplace(id, false);
@@ -57,18 +59,13 @@ private:
 
     /// The lines that fixed crossings join to a line, itself included, and the number of cracks that all of
     /// them together have left: one for every line, less one for every crossing.
-    std::pair<std::vector<LineId>, int> joined(LineId start) {
+    Group joined(LineId start) {
         std::vector<LineId> lines{start};
         std::set<JunctionId> crossings;
         for (std::size_t next = 0; next < lines.size(); ++next) {
             if (!isFixed(lines[next])) continue;
-            const Line& line = graph_.lines[lines[next]];
-            for (int k = -1; k < line.arcCount; ++k) {
-                const JunctionId junction =
-                    k < 0 ? line.beginsAt
-                          : (k == line.arcCount - 1 ? line.endsAt : graph_.junctionAfter[line.firstArc + k]);
-                if (junction.valid()) follow(lines[next], junction, lines, crossings);
-            }
+            for (const JunctionId junction : junctionsOf(graph_, lines[next]))
+                follow(lines[next], junction, lines, crossings);
         }
         return {lines, static_cast<int>(lines.size()) - static_cast<int>(crossings.size())};
     }

@@ -23,12 +23,15 @@ public:
     int find(int member) { return sets_.find(member); }
 
 private:
-    [[nodiscard]] bool isFree(VariableId variable) const {
-        return !problem_.isConstant(variable) && state_.isFree(variable);
-    }
-
     [[nodiscard]] int member(CrackNodeId node) const {
         return problem_.domains.nextId().value() + state_.cracks().group(node).value();
+    }
+
+    /// Joins a member of a series with the one before it.
+    /// \param last  the one before, negative if there is none; becomes this one
+    void tie(int& last, int next) {
+        if (last >= 0) sets_.join(last, next);
+        last = next;
     }
 
     void joinChain(ChainId id) {
@@ -37,11 +40,8 @@ private:
         const CrackNodeId node = state_.cracks().nodeOfChain(id);
         int last = node.valid() ? member(node) : -1;
         if (node.valid()) joinCrossings(state_.cracks().crossingsOfNode(node));
-        for (const VariableId v : chain.variables()) {
-            if (!isFree(v)) continue;
-            if (last >= 0) sets_.join(last, v.value());
-            last = v.value();
-        }
+        for (const VariableId v : chain.variables())
+            if (state_.isFree(v)) tie(last, v.value());
     }
 
     void joinCrossings(const std::vector<CrossingId>& crossings) {
@@ -56,15 +56,11 @@ private:
                                   return state_.value(arc) == ArcState::out;
                               });
         int last = -1;
-        const auto tie = [&](int next) {
-            if (last >= 0) sets_.join(last, next);
-            last = next;
-        };
         for (const VariableId arc : arcs)
-            if (isFree(arc)) tie(arc.value());
+            if (state_.isFree(arc)) tie(last, arc.value());
         if (!mayCross) return;
         for (const CrossingSide& side : crossing.sides)
-            if (side.node.valid()) tie(member(side.node));
+            if (side.node.valid()) tie(last, member(side.node));
     }
 
     const SearchState& state_;

@@ -6,6 +6,7 @@
 #include "enumerate/state/line_stretch.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace qm {
@@ -38,13 +39,8 @@ private:
     /// Where anything is left to decide: at junctions of lines that have a chain.
     std::vector<JunctionId> junctionsOfChains() const {
         std::vector<JunctionId> junctions;
-        for (const LineId id : chainLines_) {
-            const Line& line = graph_.lines[id];
-            junctions.insert(junctions.end(), {line.beginsAt, line.endsAt});
-            const auto inner = graph_.junctionAfter.begin() + line.firstArc.value();
-            junctions.insert(junctions.end(), inner, inner + line.arcCount - 1);
-        }
-        std::erase_if(junctions, [](JunctionId junction) { return !junction.valid(); });
+        for (const LineId line : chainLines_)
+            std::ranges::copy(junctionsOf(graph_, line), std::back_inserter(junctions));
         sortUnique(junctions);
         return junctions;
     }
