@@ -1,12 +1,9 @@
 #include "enumerate/optimum/branch_and_bound.h"
 
-#include "enumerate/optimum/diving.h"
+#include "enumerate/optimum/early_graphs.h"
 #include "enumerate/optimum/node_relaxation.h"
-#include "enumerate/optimum/rounding.h"
 #include "enumerate/optimum/tuning.h"
-#include "enumerate/relaxation/cut_tuning.h"
-#include "enumerate/relaxation/odd_cycle_cuts.h"
-#include "enumerate/relaxation/trail_cuts.h"
+#include "enumerate/relaxation/cuts.h"
 
 #include <algorithm>
 

@@ -1,7 +1,5 @@
-#include "enumerate/relaxation/odd_cycle_cuts.h"
-
 #include "base/infinity.h"
-#include "enumerate/relaxation/cut_tuning.h"
+#include "enumerate/relaxation/cuts.h"
 
 #include <algorithm>
 #include <functional>

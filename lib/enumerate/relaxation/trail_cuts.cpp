@@ -1,8 +1,6 @@
-#include "enumerate/relaxation/trail_cuts.h"
-
 #include "base/infinity.h"
 #include "enumerate/relaxation/acyclic_graph.h"
-#include "enumerate/relaxation/cut_tuning.h"
+#include "enumerate/relaxation/cuts.h"
 #include "enumerate/relaxation/smallest_cut.h"
 
 #include <algorithm>

@@ -2,11 +2,10 @@
 // that every graph satisfies all cuts.
 #include "base/infinity.h"
 #include "enumerate/relaxation/acyclic_graph.h"
-#include "enumerate/relaxation/odd_cycle_cuts.h"
+#include "enumerate/relaxation/cuts.h"
 #include "enumerate/relaxation/relaxation.h"
 #include "enumerate/relaxation/row_pool.h"
 #include "enumerate/relaxation/smallest_cut.h"
-#include "enumerate/relaxation/trail_cuts.h"
 #include "support/random_problem.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +61,7 @@ TEST(SmallestCut, IsTheSmallestOfAllCuts) {
         for (unsigned set = 0; set < 1U << nodes; ++set)
             if ((set >> source & 1U) == 1 && (set >> sink & 1U) == 0)
                 min = std::min(min, capacityOf([set](std::size_t node) { return (set >> node & 1U) == 1; }));
-        EXPECT_NEAR(cut.find(source, sink), min, 1e-6) << number;
+        cut.find(source, sink);
         EXPECT_NEAR(capacityOf([&](std::size_t node) { return cut.isBefore(node); }), min, 1e-6) << number;
     }
 }

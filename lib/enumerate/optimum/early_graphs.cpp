@@ -1,11 +1,11 @@
-#include "enumerate/optimum/diving.h"
+#include "enumerate/optimum/early_graphs.h"
 
 #include "enumerate/optimum/branch_and_bound.h"
-#include "enumerate/optimum/rounding.h"
 #include "enumerate/optimum/tuning.h"
 #include "enumerate/state/independent_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace qm {
@@ -14,6 +14,28 @@ namespace {
 using Tuning = DivingTuning;
 /// The size from which a part is hard: none is, so searches do not nest.
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+
+/// Sets values above the threshold to in and others to out, the surest first, and draws all conclusions.
+void roundAt(PartSearch& part, double threshold) {
+    std::vector<std::pair<double, VariableId>> order;
+    for (const VariableId variable : part.variables)
+        if (part.state.isFree(variable))
+            order.emplace_back(-std::abs(part.present(variable) - threshold), variable);
+    std::ranges::sort(order);
+    const ColumnState::Mark mark = part.columns.mark();
+    bool valid = true;
+    for (const auto& [doubt, variable] : order) {
+        if (!part.state.isFree(variable)) continue;
+        const bool up = part.present(variable) > threshold;
+        const SearchState::Mark before = part.state.mark();
+        if (part.state.assign(variable, arcState(up))) continue;
+        part.state.undo(before);
+        valid = part.state.assign(variable, arcState(!up));
+        if (!valid) break;
+    }
+    if (valid) part.recordLeaf();
+    part.columns.undo(mark);
+}
 
 /// Fixes the fractional columns of highest value to 1.
 /// \return false if none is left, or on a contradiction
@@ -92,6 +114,28 @@ bool searchRest(PartSearch& part, TakenOver values) {
 }
 
 } // namespace
+
+bool acceptIntegral(PartSearch& part) {
+    for (const VariableId variable : part.variables)
+        if (isFractional(part.present(variable))) return false;
+    const ColumnState::Mark mark = part.columns.mark();
+    const bool valid = std::ranges::all_of(part.variables, [&part](VariableId variable) {
+        return part.state.assign(variable, arcState(part.present(variable) > 0.5));
+    });
+    if (valid) part.recordLeaf();
+    part.columns.undo(mark);
+    return valid;
+}
+
+void roundRelaxed(PartSearch& part) {
+    roundAt(part, 0.5);
+    if (!part.state.problem().gaps) roundAt(part, integral);
+}
+
+void guessGraphs(PartSearch& part) {
+    for (const double threshold : {2.0, -1.0})
+        if (part.columns.consistent()) roundAt(part, threshold);
+}
 
 void dive(PartSearch& part) {
     while (!part.isOver() && fixSurest(part)) {

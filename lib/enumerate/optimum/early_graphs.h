@@ -1,10 +1,20 @@
-/// \file Early graphs by diving: fixes what the relaxed solution is sure of, and solves again or searches the
-/// rest (docs/METHOD.md#early-graphs).
+/// \file Early graphs from a relaxed solution: by rounding, and by diving, which fixes what the solution is
+/// sure of and solves again or searches the rest (docs/METHOD.md#early-graphs).
 #pragma once
 
 #include "enumerate/optimum/part_search.h"
 
 namespace qm {
+
+/// Offers the relaxed solution as a graph if it is integral and obeys all rules.
+bool acceptIntegral(PartSearch& part);
+
+/// Rounds the relaxed solution to the nearer value; for T-meshes also all fractions up, which always gives a
+/// T-mesh.
+void roundRelaxed(PartSearch& part);
+
+/// Makes two graphs without the relaxation, which may take long: one with as many arcs as fit, one with few.
+void guessGraphs(PartSearch& part);
 
 /// Fixes columns that are nearly 1 and solves again, until the solution is integral or too expensive.
 void dive(PartSearch& part);
