@@ -3,14 +3,26 @@
 
 #include "base/control.h"
 #include "base/infinity.h"
+#include "basecomplex/base_complex.h"
 #include "enumerate/enumeration.h"
-#include "enumerate/searched_mesh.h"
+#include "layout/constraints.h"
+#include "mesh/sub_meshes.h"
 
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace qm {
+
+/// What is searched: a mesh, and what is known of it before.
+struct SearchedMesh {
+    const QuadMesh& mesh;
+    const BaseComplex& complex; ///< with the feature seeds
+    const std::vector<double>& dihedralAngles;
+    const SubMeshes& subMeshes;
+    const Constraints& constraints;
+};
 
 struct EnumerationOptions {
     GraphCost cost;

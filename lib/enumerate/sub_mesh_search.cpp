@@ -8,7 +8,6 @@
 #include "enumerate/paper/coordinates.h"
 #include "enumerate/state/depth_first.h"
 #include "enumerate/state/incumbents.h"
-#include "enumerate/sub_mesh/own_space.h"
 #include "layout/corners.h"
 #include "layout/tracks.h"
 

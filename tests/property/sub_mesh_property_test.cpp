@@ -6,7 +6,6 @@
 #include "enumerate/paper/coordinates.h"
 #include "enumerate/state/assignment.h"
 #include "enumerate/state/depth_first.h"
-#include "enumerate/sub_mesh/own_space.h"
 #include "enumerate/sub_mesh/search_space.h"
 #include "layout/corners.h"
 #include "layout/tracks.h"

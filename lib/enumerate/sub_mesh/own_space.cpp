@@ -1,7 +1,6 @@
-#include "enumerate/sub_mesh/own_space.h"
-
 #include "base/sort_unique.h"
 #include "base/sparse_id_vector.h"
+#include "enumerate/sub_mesh/search_space.h"
 
 #include <utility>
 

@@ -5,12 +5,13 @@
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/state/incumbents.h"
 #include "enumerate/window/chain_links.h"
-#include "enumerate/window/searched_windows.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace qm {
@@ -28,6 +29,16 @@ struct Tuning {
     /// Less disagreement is rounding of the relaxed solution.
     static constexpr double agreement = 1e-3;
 };
+
+/// A number for the chains of a window, because large windows would take much memory. Should two windows have
+/// the same number, one of them may be passed over, which does no harm.
+/// \param chains  ascending
+std::uint64_t keyOf(const std::vector<ChainId>& chains) {
+    std::uint64_t key = chains.size();
+    for (const ChainId chain : chains)
+        key = (key ^ std::hash<ChainId>{}(chain)) * 0x9e3779b97f4a7c15ULL;
+    return key;
+}
 
 bool isValid(const Problem& problem, const Assignment& graph) {
     SearchState state(problem);
@@ -129,7 +140,7 @@ private:
             if (lastChange_ <= searched_[chain]) continue; // its cluster need not be grown to know that
             std::vector<ChainId> chains = links_.cluster(chain, size_, weights);
             std::ranges::sort(chains);
-            std::size_t& together = searchedTogether_.timeOf(chains); // many grow to the same window
+            std::size_t& together = searchedTogether_[keyOf(chains)]; // many grow to the same window
             const std::size_t last = std::max(searched_[chain], together);
             if (std::ranges::any_of(chains, [&](ChainId c) { return changed_[c] > last; })) {
                 together = clock_ + 1; // when the batch will have been searched
@@ -178,7 +189,7 @@ private:
     }
 
     void setSearched(const Window& window, std::size_t time) {
-        searched_[window.chain] = searchedTogether_.timeOf(window.chains) = time;
+        searched_[window.chain] = searchedTogether_[keyOf(window.chains)] = time;
     }
 
     void search(Window& window) const {
@@ -239,8 +250,9 @@ private:
     ChainLinks links_;
     IdVector<ChainId, std::size_t> changed_;  ///< last time at which a chain or one linked to it changed
     IdVector<ChainId, std::size_t> searched_; ///< last time at which the window around a chain was searched
-    SearchedWindows searchedTogether_;        ///< the same for the chains of a window
-    std::size_t lastChange_ = 1;              ///< of any chain
+    std::unordered_map<std::uint64_t, std::size_t>
+        searchedTogether_;       ///< the same by the key of a window's chains
+    std::size_t lastChange_ = 1; ///< of any chain
     std::size_t clock_ = 1;
     std::size_t nodes_;
     std::size_t work_ = 0;            ///< of all windows so far
