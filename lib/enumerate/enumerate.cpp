@@ -118,7 +118,7 @@ bool listGraphs(const SearchedMesh& searched, const EnumerationOptions& options,
     const Deadline deadline(control, options.timeLimit);
     const Control limited = deadline.control();
     for (const SubMeshId subMesh : subMeshes.ids()) {
-        if (!search.list(subMesh, which, listing, limited)) return false;
+        if (options.part.holds(subMesh) && !search.list(subMesh, which, listing, limited)) return false;
         control.progress((subMesh.value() + 1.0) / subMeshes.count);
     }
     return true;

@@ -92,6 +92,13 @@ TEST_F(ListGraphs, HandsFailuresOn) {
     }
 }
 
+TEST_F(ListGraphs, HasTheSubMeshesOfItsPartOnly) {
+    options.part = {1, 2};
+    EXPECT_FALSE(listed(1, ListedGraphs::every).empty());
+    options.part = {2, 2};
+    EXPECT_TRUE(listed(1, ListedGraphs::every).empty());
+}
+
 TEST_F(ListGraphs, AsksWhetherToStopThroughout) {
     for (const ListedGraphs which : {ListedGraphs::every, ListedGraphs::best}) {
         EXPECT_FALSE(
