@@ -25,12 +25,8 @@ struct Clusters {
 class ClusterBuilder {
 public:
     ClusterBuilder(const RelaxedProgram& relaxed, std::size_t columns)
-        : relaxed_(relaxed), columns_(columns), rowsOf_(relaxed.values.size()),
-          gains_(relaxed.values.size(), 0), taken_(relaxed.values.size(), false) {
-        for (const RowId row : relaxed.program.rows.ids())
-            for (const ColumnId column : relaxed.program.rows[row].columns)
-                rowsOf_[column].push_back(row);
-    }
+        : relaxed_(relaxed), columns_(columns), rowsOf_(relaxed.program.rowsOfColumns()),
+          gains_(relaxed.values.size(), 0), taken_(relaxed.values.size(), false) {}
 
     Clusters build() {
         Clusters clusters;
@@ -90,7 +86,7 @@ private:
 
     const RelaxedProgram& relaxed_;
     std::size_t columns_;
-    IdVector<ColumnId, std::vector<RowId>> rowsOf_;
+    const IdVector<ColumnId, std::vector<RowId>> rowsOf_;
     ColumnValues gains_; ///< for waiting columns, how closely they are tied to the cluster
     IdVector<ColumnId, bool> taken_;
 };

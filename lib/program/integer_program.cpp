@@ -31,4 +31,12 @@ bool IntegerProgram::allows(const ColumnValues& values) const {
     });
 }
 
+IdVector<ColumnId, std::vector<RowId>> IntegerProgram::rowsOfColumns() const {
+    IdVector<ColumnId, std::vector<RowId>> result(costs.size());
+    for (const RowId row : rows.ids())
+        for (const ColumnId column : rows[row].columns)
+            result[column].push_back(row);
+    return result;
+}
+
 } // namespace qm

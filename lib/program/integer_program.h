@@ -29,6 +29,8 @@ struct IntegerProgram {
     [[nodiscard]] double cost(const ColumnValues& values) const;
     /// Whether the values satisfy all rows, up to rounding.
     [[nodiscard]] bool allows(const ColumnValues& values) const;
+    /// For every column, the rows that contain it.
+    [[nodiscard]] IdVector<ColumnId, std::vector<RowId>> rowsOfColumns() const;
 };
 
 /// Relaxed values closer than this to 0 or 1 count as integral.

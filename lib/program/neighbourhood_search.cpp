@@ -20,12 +20,8 @@ constexpr int patience = 12;
 class NeighbourhoodSearch {
 public:
     NeighbourhoodSearch(const IntegerProgram& program, ColumnValues values)
-        : program_(program), values_(std::move(values)), rowsOf_(program.costs.size()),
-          place_(program.costs.size()) {
-        for (const RowId row : program.rows.ids())
-            for (const ColumnId column : program.rows[row].columns)
-                rowsOf_[column].push_back(row);
-    }
+        : program_(program), values_(std::move(values)), rowsOf_(program.rowsOfColumns()),
+          place_(program.costs.size()) {}
 
     [[nodiscard]] std::size_t columns() const { return program_.costs.size(); }
     [[nodiscard]] const ColumnValues& values() const { return values_; }
@@ -102,7 +98,7 @@ private:
 
     const IntegerProgram& program_;
     ColumnValues values_;
-    IdVector<ColumnId, std::vector<RowId>> rowsOf_;
+    const IdVector<ColumnId, std::vector<RowId>> rowsOf_;
     IdVector<ColumnId, ColumnId> place_; ///< index in the part being built; otherwise none
 };
 

@@ -12,10 +12,7 @@ constexpr double tolerance = 1e-6; ///< for sums of a few whole numbers
 
 ColumnState::ColumnState(SearchState& state, const Formulation& formulation)
     : arcs_(state), formulation_(formulation), columns_(formulation.costs.size(), ArcState::free),
-      demanded_(formulation.rows.size(), false), rowsOf_(formulation.costs.size()) {
-    for (const RowId row : formulation.rows.ids())
-        for (const ColumnId column : formulation.rows[row].columns)
-            rowsOf_[column].push_back(row);
+      demanded_(formulation.rows.size(), false), rowsOf_(formulation.rowsOfColumns()) {
     for (const RowId row : formulation.rows.ids())
         consistent_ = consistent_ && visitRow(row);
     // Of the variables that have a value already, only few may belong to the formulation.

@@ -59,7 +59,7 @@ private:
     const Formulation& formulation_;
     IdVector<ColumnId, ArcState> columns_;
     IdVector<RowId, bool> demanded_; ///< rows p + s <= 1 of variables that are in
-    IdVector<ColumnId, std::vector<RowId>> rowsOf_;
+    const IdVector<ColumnId, std::vector<RowId>> rowsOf_;
     std::vector<ColumnId> columnTrail_;
     std::vector<RowId> demandTrail_;
     // Up to where each trail has been followed: the consequences of everything before have been drawn.

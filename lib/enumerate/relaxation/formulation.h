@@ -15,8 +15,8 @@
 
 namespace qm {
 
-/// All columns are binary. Every row is an inequality or an equation over a few columns.
-struct Formulation {
+/// Every row is an inequality or an equation over a few columns.
+struct Formulation : IntegerProgram {
     /// The columns of a variable; none for a particle that cannot reach it, or if the variable is fixed.
     struct Columns {
         ColumnId fromBefore;
@@ -24,13 +24,10 @@ struct Formulation {
         RowId cover; ///< the row p + s <= 1 if there are both
         [[nodiscard]] bool any() const { return fromBefore.valid() || fromAfter.valid(); }
     };
-    using Row = IntegerProgram::Row;
     /// Of variables of the part, and of lines that are covered but may be cracked.
     SparseIdVector<VariableId, Columns> columnsOf;
     IdVector<ColumnId, VariableId> variableOf; ///< none for a flag that a crossing has no arcs
-    ColumnValues costs;                        ///< of every column
     double constant = 0;                       ///< added to the cost of the columns
-    IdVector<RowId, Row> rows;
     /// Crossings where particles may pass and stop on both lines, and rules 2 and 4 hold as they are.
     std::vector<CrossingId> plainCrossings;
 };
