@@ -9,29 +9,12 @@
 #include "enumerate/sub_mesh_search.h"
 #include "layout/corners.h"
 
-#include <atomic>
 #include <mutex>
 #include <optional>
 #include <utility>
 
 namespace qm {
 namespace {
-
-/// Reports progress by the number of finished sub-meshes.
-class Finished {
-public:
-    Finished(const Control& control, std::size_t total) : control_(control), total_(total) {}
-    void one() {
-        const std::lock_guard lock(mutex_);
-        control_.progress(static_cast<double>(++done_) / static_cast<double>(total_));
-    }
-
-private:
-    const Control& control_;
-    std::size_t total_;
-    std::size_t done_ = 0;
-    std::mutex mutex_;
-};
 
 /// The product of the counts of all sub-meshes; none if one of them is unknown.
 std::optional<std::string> countOfAll(const Enumeration& enumeration) {
@@ -91,16 +74,16 @@ Enumeration enumerateGraphs(const SearchedMesh& searched, const EnumerationOptio
         for (const SubMeshId subMesh : subMeshes.ids())
             if (options.part.holds(subMesh)) asked.push_back(subMesh);
         const Deadline deadline(control, options.timeLimit);
-        Finished finished(control, asked.size());
-        std::atomic<bool> complete = true;
+        std::mutex mutex;
+        std::size_t finished = 0;
         result.subMeshes.resize(at(subMeshes.count));
         parallelFor(asked.size(), control.jobs, [&](std::size_t k) {
             SubMeshSearch::Found found = search.search(asked[k], deadline.control());
-            if (!found.complete) complete = false;
+            const std::lock_guard lock(mutex);
             result.subMeshes[asked[k]] = std::move(found.subMesh);
-            finished.one();
+            result.complete = result.complete && found.complete;
+            control.progress(static_cast<double>(++finished) / static_cast<double>(asked.size()));
         });
-        result.complete = complete;
     }
     result.cost = options.cost;
     result.graphClass = options.graphClass;

@@ -18,6 +18,12 @@ struct Owners {
     }
 };
 
+/// The variable that a particle walks last on its way to a coordinate, which is at least 1.
+VariableId variableBefore(const Problem& problem, const Course& course, int coordinate) {
+    const Chain& chain = problem.chains[course.chain];
+    return course.fromEnd ? chain.first + chain.count - coordinate : chain.first + coordinate - 1;
+}
+
 int coordinateAfter(const Problem& problem, const Course& course, VariableId variable) {
     const Chain& chain = problem.chains[course.chain];
     const int places = variable.value() - chain.first.value();
@@ -61,12 +67,10 @@ void findStops(const Problem& problem, const Owners& owners, Courses& courses) {
 }
 
 void boundByDomains(const Problem& problem, Course& course) {
-    const Chain& chain = problem.chains[course.chain];
-    course.max = course.length;
-    for (int c = 1; c <= course.length; ++c) {
-        const VariableId variable = course.fromEnd ? chain.first + chain.count - c : chain.first + c - 1;
-        if (problem.domains[variable] == ArcState::out) course.max = std::min(course.max, c - 1);
-    }
+    course.max = 0;
+    while (course.max < course.length &&
+           problem.domains[variableBefore(problem, course, course.max + 1)] != ArcState::out)
+        ++course.max;
 }
 
 bool passes(const Arrival& arrival, const Coordinates& x) {
@@ -112,11 +116,9 @@ Courses findCourses(const Problem& problem) {
 Assignment assignmentOf(const Problem& problem, const Courses& courses, const Coordinates& coordinates) {
     Assignment assignment(problem.domains.size(), 0);
     assignment[problem.in()] = 1;
-    for (const CourseId i : courses.ids()) {
-        const Chain& chain = problem.chains[courses[i].chain];
-        for (int c = 0; c < coordinates[i]; ++c)
-            assignment[courses[i].fromEnd ? chain.first + chain.count - 1 - c : chain.first + c] = 1;
-    }
+    for (const CourseId i : courses.ids())
+        for (int c = 1; c <= coordinates[i]; ++c)
+            assignment[variableBefore(problem, courses[i], c)] = 1;
     return assignment;
 }
 

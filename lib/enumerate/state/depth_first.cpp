@@ -12,11 +12,8 @@ struct Branch {
 
 /// The order of decisions: breadth first over the crossings, starting at the first variable of every
 /// connected part, so that decisions that affect each other are close together and contradictions show early.
-std::vector<VariableId> branchingOrder(const Problem& problem) {
-    IdVector<VariableId, std::vector<CrossingId>> crossingsOf(problem.arcs.size());
-    for (const CrossingId crossing : problem.crossings.ids())
-        for (const VariableId arc : problem.crossings[crossing].arcs())
-            if (!problem.isConstant(arc)) crossingsOf[arc].push_back(crossing);
+std::vector<VariableId> branchingOrder(const SearchState& state) {
+    const Problem& problem = state.problem();
     std::vector<VariableId> order;
     IdVector<VariableId, bool> seen(problem.arcs.size(), false);
     const auto append = [&](VariableId variable) {
@@ -28,7 +25,7 @@ std::vector<VariableId> branchingOrder(const Problem& problem) {
         std::size_t next = order.size();
         append(start);
         for (; next < order.size(); ++next)
-            for (const CrossingId crossing : crossingsOf[order[next]])
+            for (const CrossingId crossing : state.crossingsOf(order[next]))
                 for (const VariableId arc : problem.crossings[crossing].arcs())
                     append(arc);
     }
@@ -41,7 +38,7 @@ bool forEachAssignment(const Problem& problem, const std::function<double()>& co
                        const std::function<bool(const SearchState&)>& visit, const Control& control) {
     SearchState state(problem);
     if (!state.consistent()) return true;
-    const std::vector<VariableId> order = branchingOrder(problem);
+    const std::vector<VariableId> order = branchingOrder(state);
     std::vector<Branch> branches;
     bool possible = true;
     std::size_t steps = 0;
