@@ -52,7 +52,8 @@ public:
         result_.freeAfterPartial = free_.count();
     }
 
-    /// CMG: rounds until no particle is free or a configuration repeats.
+    /// CMG: rounds until no particle is free or a configuration repeats; then extends the remaining free
+    /// particles straight on, the cheapest first.
     void complete() {
         while (static_cast<int>(result_.rounds) < limits_.rounds && !repeats() && free_.count() > 0 &&
                !control_.stopRequested()) {
@@ -61,7 +62,8 @@ public:
             for (const SubMeshId subMesh : subMeshes_.ids())
                 searchComplete(subMesh);
         }
-        extendRest();
+        result_.searches = searches_;
+        result_.extended = extendCheapestFirst(space_.graph, space_.arcCosts, present_);
     }
 
     /// Hands over the result; the generator must not be used afterwards.
@@ -140,7 +142,9 @@ private:
         ++searches_;
         const SubMeshChanges changes = changesOf(subMesh, arcs);
         if (changes.arcs) return *changes.arcs;
-        if (changes.impossible && !space_.demands.empty()) throwImpossible(subMesh);
+        if (changes.impossible && !space_.demands.empty())
+            throw Error("sub-mesh " + std::to_string(subMesh.value()),
+                        "no motorcycle graph obeys the constraints", "Take some out of /constraints");
         return straightArcs(subMesh, arcs);
     }
 
@@ -152,19 +156,12 @@ private:
         return arcs;
     }
 
-    [[noreturn]] static void throwImpossible(SubMeshId subMesh) {
-        throw Error("sub-mesh " + std::to_string(subMesh.value()),
-                    "no motorcycle graph obeys the constraints", "Take some out of /constraints");
-    }
-
     /// Searches the sub-mesh with these arcs free.
     [[nodiscard]] SubMeshChanges changesOf(SubMeshId subMesh, const std::vector<ArcId>& arcs) const {
         const Problem problem = subMeshProblem(space_, subMesh, arcs, present_);
-        Control control;
-        control.stopRequested = control_.stopRequested;
         OptimumOptions options;
         options.work = limits_.work;
-        const OptimumResult found = findOptimum(problem, options, control);
+        const OptimumResult found = findOptimum(problem, options, control_);
         if (found.graphs.empty()) return {std::nullopt, found.complete};
         return {differences(problem, found.graphs.front(), present_)};
     }
@@ -182,12 +179,6 @@ private:
             result_.linked += movable.linked;
             return;
         }
-    }
-
-    /// Extends the remaining free particles straight on, the cheapest first.
-    void extendRest() {
-        result_.searches = searches_;
-        result_.extended = extendCheapestFirst(space_.graph, space_.arcCosts, present_);
     }
 
     const QuadMesh& mesh_;

@@ -102,10 +102,4 @@ WindowOptions GraphImprover::fastWindows() const {
     return options;
 }
 
-WindowOptions patientWindows() {
-    WindowOptions options;
-    options.patient = true;
-    return options;
-}
-
 } // namespace qm

@@ -29,8 +29,7 @@ public:
     /// A control for searches that run at the same time: it shows no progress, but reports the known cost and
     /// bound whenever it is asked whether to stop.
     [[nodiscard]] Control control() const {
-        Control control;
-        control.jobs = control_.jobs;
+        Control control = unreported(control_);
         control.stopRequested = [this] {
             if (tell_) tell_(cost_, bound_);
             return control_.stopRequested();
@@ -89,8 +88,5 @@ private:
     std::size_t windows_ = 0;
     std::size_t improvements_ = 0;
 };
-
-/// Options for windows of all sizes, which are searched until the time is up.
-[[nodiscard]] WindowOptions patientWindows();
 
 } // namespace qm

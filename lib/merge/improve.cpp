@@ -66,7 +66,7 @@ Improvement improveGraph(const SearchSpace& space, PresentArcs present, double s
                 const bool alone = found.openParts.empty();
                 Control ofWindows = (alone ? end : windows).control();
                 if (together && !alone) ofWindows.jobs -= telling.jobs / 2;
-                improver.searchWindows(found.relaxed, patientWindows(), ofWindows);
+                improver.searchWindows(found.relaxed, {.patient = true}, ofWindows);
             },
             [&] {
                 Control ofBounds = telling;

@@ -29,8 +29,8 @@ struct WindowOptions {
     /// Windows grow along tracks that touch in the graph, not along lines that cross, and their size is that
     /// of the tracks. Their searches take longer and find more.
     bool alongTracks = false;
-    bool patient = false;            ///< start again with larger search trees when no window helps any more
-    IdVector<ArcId, double> relaxed; ///< value of every arc in the relaxed solution; empty if unknown
+    bool patient = false; ///< start again with larger search trees when no window helps any more
+    IdVector<ArcId, double> relaxed = {}; ///< value of every arc in the relaxed solution; empty if unknown
     /// Called with the arcs of every cheaper graph.
     std::function<void(const PresentArcs& present)> improved = [](const PresentArcs&) {};
 };

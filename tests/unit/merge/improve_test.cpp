@@ -161,7 +161,7 @@ TEST(GraphImprover, OnlyRelaxesLargeMeshes) {
             const OptimumResult found = improver.searchTree(control, control);
             EXPECT_TRUE(found.openParts.empty());
             EXPECT_EQ(found.relaxed.size(), makeProblem(wholeInput(plain.space)).domains.size());
-            improver.searchWindows(found.relaxed, patientWindows(), control);
+            improver.searchWindows(found.relaxed, {.patient = true}, control);
             EXPECT_TRUE(test::isMotorcycleGraph(plain.space.graph, improver.present()));
             EXPECT_LE(costOf(plain.space, improver.present()), before + 1e-9);
             EXPECT_LE(found.lowerBound, optimum + 1e-6);
