@@ -27,7 +27,7 @@ struct Tuning {
 
 GraphImprover::GraphImprover(const SearchSpace& space, PresentArcs present, KnownSoFar& known,
                              std::size_t large)
-    : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)), present_(std::move(present)),
+    : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)), result_{std::move(present)},
       known_(known), large_(large) {}
 
 bool GraphImprover::isLarge() const {
@@ -36,7 +36,7 @@ bool GraphImprover::isLarge() const {
 
 OptimumResult GraphImprover::searchTree(const Control& control, const Control& ofFirstWindows) {
     OptimumOptions options;
-    options.start = assignmentOf(problem_, present_);
+    options.start = assignmentOf(problem_, result_.present);
     options.large = large_;
     options.nearlySolved = Tuning::nearlySolved;
     options.keepOpenParts = true;
@@ -58,7 +58,7 @@ OptimumResult GraphImprover::searchTree(const Control& control, const Control& o
         windows.wait();
         take(graph);
         searchWindows(relaxed, fastWindows(), control);
-        return assignmentOf(problem_, present_);
+        return assignmentOf(problem_, result_.present);
     };
     OptimumResult found = findOptimum(problem_, options, control);
     areOver = isLarge();
@@ -75,22 +75,21 @@ void GraphImprover::searchWindows(const IdVector<VariableId, double>& relaxed, W
     if (isLarge())
         options.maxVariables = std::min(options.maxVariables, presentVariables() / Tuning::largeShare);
     options.improved = [&](const PresentArcs& present) { known_.setCost(costOf(space_, present)); };
-    WindowResult windows = improveByWindows(input_, present_, options, control);
-    present_ = std::move(windows.present);
-    windows_ += windows.windows;
-    improvements_ += windows.improvements;
+    WindowResult windows = improveByWindows(input_, result_.present, options, control);
+    result_ = {std::move(windows.present), result_.windows + windows.windows,
+               result_.improvements + windows.improvements};
 }
 
 /// Adopts a graph if it is cheaper.
 void GraphImprover::take(const Assignment& graph) {
-    if (costOf(problem_, graph) >= costOf(problem_, assignmentOf(problem_, present_))) return;
-    apply(problem_, graph, present_);
-    known_.setCost(costOf(space_, present_));
+    if (costOf(problem_, graph) >= costOf(problem_, assignmentOf(problem_, result_.present))) return;
+    apply(problem_, graph, result_.present);
+    known_.setCost(costOf(space_, result_.present));
 }
 
 /// The number of variables that are in the graph: the size of all its tracks.
 std::size_t GraphImprover::presentVariables() const {
-    const Assignment graph = assignmentOf(problem_, present_);
+    const Assignment graph = assignmentOf(problem_, result_.present);
     return static_cast<std::size_t>(std::ranges::count(graph, 1));
 }
 

@@ -69,10 +69,8 @@ public:
     void searchWindows(const IdVector<VariableId, double>& relaxed, WindowOptions options,
                        const Control& control);
 
-    [[nodiscard]] const PresentArcs& present() const { return present_; }
-    /// How many windows were searched, and how many of them made the graph cheaper.
-    [[nodiscard]] std::size_t windows() const { return windows_; }
-    [[nodiscard]] std::size_t improvements() const { return improvements_; }
+    /// The graph, and the windows that have been searched in all.
+    [[nodiscard]] const WindowResult& result() const { return result_; }
 
 private:
     void take(const Assignment& graph);
@@ -82,11 +80,9 @@ private:
     const SearchSpace& space_;
     const ProblemInput input_;
     const Problem problem_;
-    PresentArcs present_;
+    WindowResult result_;
     KnownSoFar& known_;
     std::size_t large_;
-    std::size_t windows_ = 0;
-    std::size_t improvements_ = 0;
 };
 
 } // namespace qm

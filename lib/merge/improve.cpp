@@ -45,7 +45,6 @@ Improvement improveGraph(const SearchSpace& space, PresentArcs present, double s
                          const Control& control, const KnownCost& tell) {
     KnownSoFar known(control, tell, costOf(space, present));
     const Control telling = known.control();
-    Improvement result;
     GraphImprover improver(space, std::move(present), known);
     const double shareOfTree = improver.isLarge() ? 1 : Tuning::shareOfTree;
     const bool together = telling.jobs > 1; // whether windows and bounds are computed at the same time
@@ -56,8 +55,8 @@ Improvement improveGraph(const SearchSpace& space, PresentArcs present, double s
     Control ofFirst = first.control();
     ofFirst.jobs = std::max(1U, telling.jobs - 1);
     const OptimumResult found = improver.searchTree(tree.control(), ofFirst);
-    result.lowerBound = found.lowerBound;
-    known.setBound(result.lowerBound);
+    double lowerBound = found.lowerBound;
+    known.setBound(lowerBound);
     control.progress(Tuning::shareOfTree);
     if (!found.complete) {
         const std::array<std::function<void()>, 2> work{
@@ -71,17 +70,13 @@ Improvement improveGraph(const SearchSpace& space, PresentArcs present, double s
             [&] {
                 Control ofBounds = telling;
                 if (together) ofBounds.jobs = telling.jobs / 2;
-                result.lowerBound += boundGain(found.openParts, end, ofBounds,
-                                               [&](double gain) { known.setBound(found.lowerBound + gain); });
+                lowerBound += boundGain(found.openParts, end, ofBounds,
+                                        [&](double gain) { known.setBound(found.lowerBound + gain); });
             }};
         parallelFor(work.size(), together ? 2 : 1, [&](std::size_t k) { work[k](); });
     }
-    result.present = improver.present();
-    result.windows = improver.windows();
-    result.improvements = improver.improvements();
     control.progress(1);
-    result.lowerBound = boundBelow(result.lowerBound, costOf(space, result.present));
-    return result;
+    return {improver.result(), boundBelow(lowerBound, costOf(space, improver.result().present))};
 }
 
 double boundBelow(double lowerBound, double cost) {

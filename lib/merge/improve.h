@@ -3,16 +3,12 @@
 
 #include "base/control.h"
 #include "enumerate/sub_mesh/search_space.h"
-
-#include <cstddef>
+#include "enumerate/window/window_search.h"
 
 namespace qm {
 
-struct Improvement {
-    PresentArcs present;          ///< the arcs of the graph
-    double lowerBound = 0;        ///< of all graphs' costs with those of corners; the graph's own if proven
-    std::size_t windows = 0;      ///< searched
-    std::size_t improvements = 0; ///< windows that made the graph cheaper
+struct Improvement : WindowResult {
+    double lowerBound = 0; ///< of all graphs' costs with those of corners; the graph's own if proven
 };
 
 /// For a share of the time, searches the whole mesh, and windows at the same time; this often ends with a

@@ -36,7 +36,7 @@ struct WindowOptions {
 };
 
 struct WindowResult {
-    PresentArcs present;
+    PresentArcs present;          ///< the arcs of the graph
     std::size_t windows = 0;      ///< searched
     std::size_t improvements = 0; ///< windows that led to a cheaper graph
 };

@@ -128,12 +128,12 @@ TEST(GraphImprover, TellsOfEveryCheaperGraphAndEndsWithTheOptimum) {
         GraphImprover improver(plain.space, plain.present, known);
         EXPECT_FALSE(improver.isLarge());
         improver.searchWindows({}, {}, control);
-        EXPECT_GT(improver.windows(), 0U);
-        EXPECT_LE(improver.improvements(), improver.windows());
+        EXPECT_GT(improver.result().windows, 0U);
+        EXPECT_LE(improver.result().improvements, improver.result().windows);
         const OptimumResult found = improver.searchTree(control, control);
         EXPECT_TRUE(found.complete);
-        EXPECT_TRUE(test::isMotorcycleGraph(plain.space.graph, improver.present()));
-        EXPECT_NEAR(costOf(plain.space, improver.present()), found.lowerBound, 1e-6);
+        EXPECT_TRUE(test::isMotorcycleGraph(plain.space.graph, improver.result().present));
+        EXPECT_NEAR(costOf(plain.space, improver.result().present), found.lowerBound, 1e-6);
         known.setBound(found.lowerBound);
         EXPECT_FALSE(known.control().stopRequested());
         EXPECT_NEAR(toldCost, found.lowerBound, 1e-6);
@@ -162,8 +162,8 @@ TEST(GraphImprover, OnlyRelaxesLargeMeshes) {
             EXPECT_TRUE(found.openParts.empty());
             EXPECT_EQ(found.relaxed.size(), makeProblem(wholeInput(plain.space)).domains.size());
             improver.searchWindows(found.relaxed, {.patient = true}, control);
-            EXPECT_TRUE(test::isMotorcycleGraph(plain.space.graph, improver.present()));
-            EXPECT_LE(costOf(plain.space, improver.present()), before + 1e-9);
+            EXPECT_TRUE(test::isMotorcycleGraph(plain.space.graph, improver.result().present));
+            EXPECT_LE(costOf(plain.space, improver.result().present), before + 1e-9);
             EXPECT_LE(found.lowerBound, optimum + 1e-6);
             EXPECT_FALSE(known.control().stopRequested());
             EXPECT_LE(told, optimum + 1e-6) << "what gradients prove";
