@@ -73,22 +73,18 @@ DiagramBorder::DiagramBorder(const SearchState& state, const std::vector<Step>& 
         for (const CrossingId crossing : state.crossingsOf(step.variable))
             crossings[crossing].add(k);
     }
-    const auto watchVariable = [&](VariableId variable, int from, int to) {
-        for (int step = from; step <= to; ++step)
-            watches_[at(step)].variables.push_back(variable);
-    };
     for (const ChainId id : problem.chains.ids()) {
         if (!problem.gaps) break;
         const Chain& chain = problem.chains[id];
         for (const VariableId v : chain.variables())
-            if (stepOf[v] >= 0) watchVariable(v, chains[id].first + 1, stepOf[v]);
+            if (stepOf[v] >= 0) Span{chains[id].first, stepOf[v]}.watch(watches_, v, &Watch::variables);
         if (chain.coveredBefore && chain.coveredAfter) chains[id].watch(watches_, id, &Watch::chains);
     }
     for (const CrossingId c : crossings.ids()) {
         lastStep_.push_back(crossings[c].last);
         for (const CrossingSide& side : problem.crossings[c].sides) {
             for (const VariableId variable : {side.before, side.after})
-                if (stepOf[variable] >= 0) watchVariable(variable, crossings[c].first + 1, crossings[c].last);
+                if (stepOf[variable] >= 0) crossings[c].watch(watches_, variable, &Watch::variables);
             if (!problem.gaps || !side.node.valid()) continue;
             nodes[side.node].add(crossings[c].first);
             nodes[side.node].add(crossings[c].last);

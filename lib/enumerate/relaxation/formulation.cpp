@@ -43,17 +43,16 @@ private:
     Expression cornersByStops(const Crossing& crossing) const {
         Expression corners;
         for (const CrossingSide& side : crossing.sides) {
+            if (columns_.isWall(side)) continue;
             if (columns_.consecutive(side)) {
                 for (const Expression& stop : columns_.particleStops(side))
                     corners.add(stop, 2);
                 continue;
             }
-            // One of the arcs is fixed, or both are in.
-            const bool beforeKnown = !columns_.columns(side.before).any();
-            const int sign = columns_.isIn(beforeKnown ? side.before : side.after) ? 1 : -1;
-            if (columns_.isWall(side)) continue;
-            corners.add(columns_.present(beforeKnown ? side.before : side.after), 2 * sign);
-            corners.add(columns_.present(beforeKnown ? side.after : side.before), -2 * sign);
+            VariableId known = side.before, other = side.after; // one of the two is fixed
+            if (columns_.columns(known).any()) std::swap(known, other);
+            const int sign = columns_.isIn(known) ? 1 : -1;
+            corners.add(columns_.present(known), 2 * sign).add(columns_.present(other), -2 * sign);
         }
         return corners;
     }
