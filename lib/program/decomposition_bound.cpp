@@ -3,7 +3,6 @@
 #include "base/deadline.h"
 #include "base/infinity.h"
 #include "base/parallel.h"
-#include "program/dual_bound.h"
 #include "program/solve_program.h"
 
 #include <algorithm>

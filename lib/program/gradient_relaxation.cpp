@@ -1,7 +1,6 @@
 #include "program/gradient_relaxation.h"
 
 #include "base/infinity.h"
-#include "program/dual_bound.h"
 #include "program/sparse_rows.h"
 
 #include <algorithm>

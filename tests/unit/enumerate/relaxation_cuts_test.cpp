@@ -111,9 +111,7 @@ TEST(OpenRow, SaysWhatItsRowSaysOfEveryCompletion) {
             }
         for (const RowId id : formulation.rows.ids()) {
             const Formulation::Row& row = formulation.rows[id];
-            double sum = 0;
-            for (std::size_t k = 0; k < row.columns.size(); ++k)
-                sum += row.weights[k] * values[row.columns[k]];
+            const double sum = row.sum(values);
             const OpenRow left = openRow(formulation, id, columns, numberOf);
             if (left.columns.empty()) {
                 EXPECT_TRUE(sum >= row.lower && sum <= row.upper) << number << ", row " << id.value();
@@ -148,9 +146,7 @@ TEST(RelaxationCuts, EveryGraphObeysThem) {
             cycles += ofCycles.size();
             for (const auto& rows : {ofTrails, ofCycles})
                 for (const Formulation::Row& row : rows) {
-                    double sum = 0;
-                    for (std::size_t k = 0; k < row.columns.size(); ++k)
-                        sum += row.weights[k] * values[row.columns[k]];
+                    const double sum = row.sum(values);
                     EXPECT_TRUE(sum < row.lower || sum > row.upper) << "it cuts off what it was made for";
                     formulation.rows.push_back(row);
                 }

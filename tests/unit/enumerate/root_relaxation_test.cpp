@@ -157,9 +157,7 @@ TEST(RowPool, HasTheSolverObeyRowsThatItWasNotGiven) {
         ASSERT_EQ(again.kind, Relaxation::Result::Kind::solved);
         EXPECT_NEAR(again.bound, first.bound, 1e-6);
         for (const Formulation::Row& row : search.part.formulation.rows) {
-            double sum = 0;
-            for (std::size_t k = 0; k < row.columns.size(); ++k)
-                sum += row.weights[k] * relaxation.values()[row.columns[k]];
+            const double sum = row.sum(relaxation.values());
             EXPECT_GE(sum, row.lower - 1e-5);
             EXPECT_LE(sum, row.upper + 1e-5);
         }

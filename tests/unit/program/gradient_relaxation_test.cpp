@@ -1,6 +1,5 @@
 #include "base/infinity.h"
 #include "program/decomposition_bound.h"
-#include "program/dual_bound.h"
 #include "program/gradient_relaxation.h"
 #include "program/sparse_rows.h"
 
