@@ -124,7 +124,7 @@ private:
         std::vector<ArcId> arcs;
         for (const Particle particle : free_.in(subMesh)) {
             const int walked = LineWalk(space_.graph, particle).covered(present_);
-            appendWalk(space_, particle, walked, subMesh, arcs);
+            std::ranges::copy(walkInside(space_, particle, subMesh, walked), std::back_inserter(arcs));
         }
         return arcs;
     }

@@ -20,9 +20,7 @@ public:
     /// Adds the way of a free particle from its crash point up to the arc that leaves the sub-mesh.
     void addFree(Particle particle) {
         const int walked = LineWalk(space_.graph, particle).covered(present_);
-        std::vector<ArcId> walk;
-        appendWalk(space_, particle, walked, subMesh_, walk);
-        for (const ArcId step : walk) {
+        for (const ArcId step : walkInside(space_, particle, subMesh_, walked)) {
             if (present_[step]) break; // the track of the opposite particle
             take(step);
         }

@@ -1,5 +1,4 @@
-/// \file Letting a particle go straight on to the first track, which is always valid
-/// (docs/METHOD.md#merging).
+/// \file Free particles, which may always go straight on to the first track (docs/METHOD.md#merging).
 #pragma once
 
 #include "enumerate/state/problem.h"
@@ -15,13 +14,6 @@ struct Particle {
 
     auto operator<=>(const Particle&) const = default; // NOLINT(modernize-use-nullptr): no pointer
 };
-
-/// Lets the particle walk on from the end of its track: to the first junction where both arcs of the crossing
-/// line are present, to its opposite's track, to the end of its line, or over an arc into an open junction.
-/// \param present  changed
-/// \param open     junctions where the walk may end unfinished
-void extendParticle(const ArcGraph& graph, Particle particle, PresentArcs& present,
-                    const OpenJunctions& open = {});
 
 /// Lets free particles walk on until none is left; next is always the one whose new arcs cost least, and
 /// among equal costs the first. When a new track crosses the way of free particles, their walks get shorter;

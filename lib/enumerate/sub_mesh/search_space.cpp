@@ -6,6 +6,8 @@
 #include "enumerate/sub_mesh/line_walk.h"
 #include "mesh/topology.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 namespace qm {
@@ -93,12 +95,13 @@ double costOf(const SearchSpace& space, const PresentArcs& present) {
     return cost;
 }
 
-void appendWalk(const SearchSpace& space, Particle particle, int from, SubMeshId subMesh,
-                std::vector<ArcId>& arcs) {
+std::vector<ArcId> walkInside(const SearchSpace& space, Particle particle, SubMeshId subMesh, int from) {
     const LineWalk walk(space.graph, particle);
     const IdVector<ArcId, SubMeshId>& starts = particle.fromEnd ? space.arcEnds : space.arcBegins;
+    std::vector<ArcId> arcs;
     for (int walked = from; walked < walk.arcCount() && starts[walk.arc(walked)] == subMesh; ++walked)
         arcs.push_back(walk.arc(walked));
+    return arcs;
 }
 
 const std::vector<LineId>& linesFrom(const SearchSpace& space, SubMeshId subMesh) {
@@ -110,8 +113,9 @@ const std::vector<LineId>& linesFrom(const SearchSpace& space, SubMeshId subMesh
 std::vector<ArcId> ownArcs(const SearchSpace& space, SubMeshId subMesh) {
     std::vector<ArcId> arcs;
     for (const LineId line : linesFrom(space, subMesh)) {
-        appendWalk(space, {line, false}, 0, subMesh, arcs);
-        if (space.graph.lines[line].backward) appendWalk(space, {line, true}, 0, subMesh, arcs);
+        std::ranges::copy(walkInside(space, {line, false}, subMesh), std::back_inserter(arcs));
+        if (space.graph.lines[line].backward)
+            std::ranges::copy(walkInside(space, {line, true}, subMesh), std::back_inserter(arcs));
     }
     return arcs;
 }
@@ -123,9 +127,8 @@ Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const PresentArcs
         for (const LineId id : *lines) {
             const Line& line = space.graph.lines[id];
             const ArcId first = line.firstArc, last = line.lastArc();
-            std::vector<ArcId> there, back;
-            appendWalk(space, {id, false}, 0, subMesh, there);
-            if (line.backward) appendWalk(space, {id, true}, 0, subMesh, back);
+            std::vector<ArcId> there = walkInside(space, {id, false}, subMesh), back;
+            if (line.backward) back = walkInside(space, {id, true}, subMesh);
             const bool meet =
                 !there.empty() && !back.empty() && there.size() + back.size() == at(line.arcCount);
             walkers[id] = {space.arcBegins[first] == subMesh || present[first],
@@ -156,8 +159,16 @@ void goStraight(const SearchSpace& space, SubMeshId subMesh, PresentArcs& presen
     // No particle is idle, so all first arcs must be present before a particle passes a seed.
     for (const Particle particle : own)
         present[LineWalk(space.graph, particle).arc(0)] = true;
-    for (const Particle particle : own)
-        extendParticle(space.graph, particle, present, OpenJunctions(space.junctionLabels, subMesh));
+    const OpenJunctions open(space.junctionLabels, subMesh);
+    for (const Particle particle : own) {
+        const LineWalk walk(space.graph, particle);
+        const auto stops = [&](int walked) {
+            return walked == walk.arcCount() || walk.blocked(walked, present) ||
+                   open.contains(walk.junction(walked));
+        };
+        for (int walked = walk.covered(present); !stops(walked) && !present[walk.arc(walked)]; ++walked)
+            present[walk.arc(walked)] = true;
+    }
 }
 
 } // namespace qm

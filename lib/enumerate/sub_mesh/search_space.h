@@ -41,10 +41,10 @@ struct SearchSpace {
 /// The cost of a graph: of its arcs, and of the corners at junctions.
 [[nodiscard]] double costOf(const SearchSpace& space, const PresentArcs& present);
 
-/// Appends the arcs that a particle can walk in a sub-mesh, from position `from`, counted from its source, up
-/// to and including the arc that leaves the sub-mesh.
-void appendWalk(const SearchSpace& space, Particle particle, int from, SubMeshId subMesh,
-                std::vector<ArcId>& arcs);
+/// The arcs that a particle can walk in a sub-mesh, up to and including the one that leaves it.
+/// \param from  how many arcs it has walked before, from its source on
+[[nodiscard]] std::vector<ArcId> walkInside(const SearchSpace& space, Particle particle, SubMeshId subMesh,
+                                            int from = 0);
 
 /// The lines with a source in a sub-mesh.
 [[nodiscard]] const std::vector<LineId>& linesFrom(const SearchSpace& space, SubMeshId subMesh);
