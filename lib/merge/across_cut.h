@@ -17,9 +17,9 @@ struct WholeSearch {
     IdVector<ArcId, double> relaxed; ///< value of every arc in the relaxed solution; empty if there is none
 };
 
-/// Most models are proven within a second, sooner than windows could improve the merged graph. Of larger ones
-/// only the root is searched, and nothing of the largest. The limits count variables and nodes, so the result
-/// does not depend on the machine.
+/// Searches the whole mesh at once. Most models are proven within a second, sooner than windows could improve
+/// the merged graph. Of larger ones only the root is searched, and nothing of the largest. The limits count
+/// variables and nodes, so the result does not depend on the machine.
 /// \param present  the arcs of a valid graph of the whole mesh
 /// \return nothing if the mesh has so many lines that the search would take too long
 [[nodiscard]] std::optional<WholeSearch> searchWhole(const SearchSpace& space, const PresentArcs& present,

@@ -10,7 +10,6 @@
 
 #include <functional>
 #include <limits>
-#include <vector>
 
 namespace qm {
 
