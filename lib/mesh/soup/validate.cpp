@@ -38,12 +38,15 @@ void checkQuads(const Soup& soup) {
         if (!first) first = k;
         ++others;
     }
-    if (first)
-        throw Error(soup.facePlace(*first),
-                    "it has " + countText(soup.face(*first).size(), "side") + "; " + std::to_string(others) +
-                        " of " + countText(soup.faceCount(), "face") + (others == 1 ? " is" : " are") +
-                        " not four-sided",
-                    "Make quads of all faces: quadmesh --quads N and qm-remesh do, with Blender");
+    if (!first) return;
+    const bool areFew = 2 * others < soup.faceCount();
+    throw Error(
+        soup.facePlace(*first),
+        "it has " + countText(soup.face(*first).size(), "side") + "; " + std::to_string(others) + " of " +
+            countText(soup.faceCount(), "face") + (others == 1 ? " is" : " are") + " not four-sided",
+        "Make quads of all faces: " +
+            std::string(areFew ? "subdividing once does (Catmull-Clark, in a modelling program), or " : "") +
+            "quadmesh --quads N and qm-remesh do, with Blender");
 }
 
 void checkSides(const Soup& soup) {
