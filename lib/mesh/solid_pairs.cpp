@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace qm {
@@ -22,8 +23,8 @@ std::vector<FaceAtEdge> inCircle(const Point& direction, std::span<const FaceAtE
     }
     std::ranges::sort(angles);
     std::vector<FaceAtEdge> around;
-    for (const auto& [angle, side, face] : angles)
-        around.push_back(*face);
+    std::ranges::transform(angles, std::back_inserter(around),
+                           [](const auto& entry) { return *std::get<const FaceAtEdge*>(entry); });
     return around;
 }
 
