@@ -1,6 +1,7 @@
 #include "export/boundary/boundary.h"
 
 #include "base/at.h"
+#include "base/keep_marked.h"
 #include "bspline/splines/clamped_patch.h"
 #include "export/boundary/edge_angle.h"
 #include "export/boundary/simple_faces.h"
@@ -17,10 +18,6 @@ namespace {
 
 /// How far the control points of a plane patch may be from its plane, in shares of the mesh's diagonal.
 constexpr double planeTolerance = 1e-7;
-/// Programs take two faces for one smooth surface below this angle, in degrees: 0.01 radians.
-constexpr double smoothAngle = 0.57;
-/// How far from its ends, in mesh edges, the angle at an edge is measured: patches may have no normal there.
-constexpr double fromEnds = 0.005;
 /// A tolerance covers so many times a gap that was sampled: between the samples it may be larger.
 constexpr double gapMargin = 1.1;
 
@@ -40,8 +37,7 @@ public:
         : mesh_(mesh), layout_(faces.layout), patches_(faces.patches), resolution_(resolution(mesh)),
           flatness_(std::max(resolution_ / 2, planeTolerance * boundingBox(mesh).diagonal())),
           shared_(shareEdges(mesh, faces.layout, faces.patches)),
-          simple_(faces.patches, shared_, {flatness_, resolution_, simplify, smoothAngle}),
-          borders_(faces.patches.size()) {
+          simple_(faces, shared_, {flatness_, resolution_, simplify}), borders_(faces.patches.size()) {
         simple_.moveVertices(shared_);
     }
 
@@ -112,8 +108,8 @@ private:
         made.isSmooth = !made.isOpen && edge.angle < smoothAngle;
         const auto isSimple = [&](const BorderPlace& place) { return simple_[place.patch].has_value(); };
         if (!made.isSmooth || !simple_.isAnalytic() || std::ranges::none_of(edge.places, isSimple)) return;
-        made.newAngle =
-            largestAngle(made.curve, {sideOf(edge, made, 0), sideOf(edge, made, 1)}, fromEnds / edge.length);
+        made.newAngle = largestAngle(made.curve, {sideOf(edge, made, 0), sideOf(edge, made, 1)},
+                                     fromEdgeEnds / edge.length);
         made.isSmooth = made.newAngle < smoothAngle;
     }
 
@@ -180,6 +176,23 @@ void raiseTolerance(Boundary& boundary, std::size_t edge, double tolerance) {
     raised.tolerance = std::max(raised.tolerance, tolerance);
     for (const std::size_t end : raised.ends)
         boundary.vertices[end].tolerance = std::max(boundary.vertices[end].tolerance, raised.tolerance);
+}
+
+void dropUnused(Boundary& boundary) {
+    std::vector<bool> isUsed(boundary.edges.size());
+    forEachUse(boundary, [&](std::size_t, const EdgeUse& use) { isUsed[use.edge] = true; });
+    const auto edgeNumbers = keepMarked(boundary.edges, isUsed);
+    for (BoundaryFace& face : boundary.faces)
+        for (auto& loop : face.loops)
+            for (EdgeUse& use : loop)
+                use.edge = edgeNumbers[use.edge];
+    isUsed.assign(boundary.vertices.size(), false);
+    for (const BoundaryEdge& edge : boundary.edges)
+        isUsed[edge.ends[0]] = isUsed[edge.ends[1]] = true;
+    const auto vertexNumbers = keepMarked(boundary.vertices, isUsed);
+    for (BoundaryEdge& edge : boundary.edges)
+        for (std::size_t& end : edge.ends)
+            end = vertexNumbers[end];
 }
 
 std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {

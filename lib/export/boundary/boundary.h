@@ -71,6 +71,9 @@ template <class Function> void forEachUse(const Boundary& boundary, const Functi
 /// Makes the tolerance of an edge, and of the vertices where it ends, at least so large.
 void raiseTolerance(Boundary& boundary, std::size_t edge, double tolerance);
 
+/// Drops edges that no face uses, and vertices without edges.
+void dropUnused(Boundary& boundary);
+
 /// By edge: the faces that use it.
 [[nodiscard]] std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary);
 

@@ -1,5 +1,3 @@
-#include "export/boundary/loose_edges.h"
-
 #include "export/boundary/divided_edges.h"
 #include "export/simple/curve_on_surface.h"
 

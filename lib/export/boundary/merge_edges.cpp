@@ -1,6 +1,5 @@
 #include "export/boundary/merge_edges.h"
 
-#include "export/boundary/drop_unused.h"
 #include "export/simple/conic_curve.h"
 #include "export/simple/curve_on_surface.h"
 

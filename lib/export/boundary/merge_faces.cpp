@@ -2,7 +2,6 @@
 
 #include "base/keep_marked.h"
 #include "base/sort_unique.h"
-#include "export/boundary/drop_unused.h"
 #include "export/boundary/face_chart.h"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 #include "export/boundary/simple_faces.h"
 
 #include "base/at.h"
-#include "export/boundary/border_samples.h"
+#include "bspline/measure/border_measures.h"
+#include "bspline/splines/eigen_point.h"
 #include "export/geometry/geometry.h"
 #include "export/simple/conic_curve.h"
 #include "export/simple/curve_on_surface.h"
@@ -45,18 +46,45 @@ std::vector<std::vector<std::size_t>> simpleFacesAt(const SharedEdges& shared, c
     return facesAt;
 }
 
+/// The borders where patches meet smoothly.
+std::vector<SmoothBorder> smoothBorders(const FacePatches& faces, const SharedEdges& shared) {
+    constexpr int perMeshEdge = 4; // steps between samples
+    std::vector<SmoothBorder> result;
+    for (const SharedEdge& edge : shared.edges) {
+        if (edge.places.size() != 2 || !(edge.angle < smoothAngle)) continue;
+        const BorderPlace& one = edge.places[0];
+        BorderPlace other = edge.places[1]; // walks the edge the other way, from its end
+        other.position += edge.length;
+        SmoothBorder& border = result.emplace_back();
+        border.patches = {one.patch, other.patch};
+        for (int k = 0; k <= edge.length * perMeshEdge; ++k) {
+            const double along =
+                std::clamp(static_cast<double>(k) / perMeshEdge, fromEdgeEnds, edge.length - fromEdgeEnds);
+            const SurfacePoint here = pointAt(faces.layout, faces.patches, one, along);
+            const SurfacePoint there = pointAt(faces.layout, faces.patches, other, -along);
+            const auto normal = unitNormal(here.du, here.dv);
+            const auto beside = unitNormal(there.du, there.dv);
+            if (!normal || !beside) continue;
+            border.points.push_back(vector(here.position));
+            border.normals[0].push_back(vector(*normal));
+            border.normals[1].push_back(vector(*beside));
+        }
+    }
+    return result;
+}
+
 } // namespace
 
-SimpleFaces::SimpleFaces(const std::vector<Patch>& clampedPatches, const SharedEdges& shared,
+SimpleFaces::SimpleFaces(const FacePatches& faces, const SharedEdges& shared,
                          const SimpleFaceTolerances& tolerances)
     : resolution_(tolerances.resolution), isCommon_(shared.vertexPoint.size()) {
     for (const double tolerance : tolerances.simplify)
         tolerance_ = std::max(tolerance_, tolerance);
-    for (const Patch& patch : clampedPatches)
+    for (const Patch& patch : faces.patches)
         surfaces_.push_back(planeOf(patch, tolerances.flatness));
     if (tolerance_ > 0)
-        surfaces_ = simpleSurfacesOf(clampedPatches, tolerances.simplify, std::move(surfaces_),
-                                     smoothBorders(clampedPatches, shared, tolerances.smoothAngle));
+        surfaces_ = simpleSurfacesOf(faces.patches, tolerances.simplify, std::move(surfaces_),
+                                     smoothBorders(faces, shared));
 }
 
 double SimpleFaces::reach() const {

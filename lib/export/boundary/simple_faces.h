@@ -2,6 +2,7 @@
 #pragma once
 
 #include "export/boundary/shared_edges.h"
+#include "export/faces/face_patches.h"
 #include "export/geometry/curve_piece.h"
 #include "export/simple/simple_surface.h"
 
@@ -12,21 +13,24 @@
 
 namespace qm {
 
+/// Programs take two faces for one smooth surface below this angle between normals, in degrees: 0.01 radians.
+constexpr double smoothAngle = 0.57;
+/// How far from the ends of an edge, in mesh edges, normals are compared: patches may have none there.
+constexpr double fromEdgeEnds = 0.005;
+
 struct SimpleFaceTolerances {
     double flatness = 0;   ///< largest distance of a plane patch's control points from its plane
     double resolution = 0; ///< closer points are taken for one
     /// By face: the largest distance between a patch and the plane, cylinder, cone, sphere or torus that
     /// replaces it; empty or 0 allows only planes within the flatness.
     std::vector<double> simplify;
-    double smoothAngle = 0; ///< faces whose normals differ by less, in degrees, are one smooth surface
 };
 
 /// By patch: the simple surface that replaces it, if there is one.
 class SimpleFaces {
 public:
-    /// \param shared  the edges of the patches
-    SimpleFaces(const std::vector<Patch>& clampedPatches, const SharedEdges& shared,
-                const SimpleFaceTolerances& tolerances);
+    /// \param shared  the edges of the faces
+    SimpleFaces(const FacePatches& faces, const SharedEdges& shared, const SimpleFaceTolerances& tolerances);
 
     [[nodiscard]] const std::optional<SimpleSurface>& operator[](std::size_t face) const {
         return surfaces_[face];

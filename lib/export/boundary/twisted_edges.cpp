@@ -1,5 +1,3 @@
-#include "export/boundary/twisted_edges.h"
-
 #include "export/boundary/divided_edges.h"
 #include "export/boundary/edge_angle.h"
 
@@ -8,7 +6,6 @@
 #include <gp_Vec.hxx>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 namespace qm {
 namespace {

@@ -1,11 +1,10 @@
 #include "export/files/checked_shape.h"
 
+#include "export/boundary/divided_edges.h"
 #include "export/boundary/face_order.h"
-#include "export/boundary/loose_edges.h"
 #include "export/boundary/merge_edges.h"
 #include "export/boundary/merge_faces.h"
 #include "export/boundary/outline.h"
-#include "export/boundary/twisted_edges.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <algorithm>

@@ -29,11 +29,11 @@ struct CheckedShape {
 /// ellipse, as far as OpenCASCADE takes that.
 [[nodiscard]] CheckedShape merged(CheckedShape shape);
 
-/// The same with edges divided where they are farthest from simple surfaces (loose_edges.h), if OpenCASCADE
+/// The same with edges divided where they are farthest from simple surfaces (divided_edges.h), if OpenCASCADE
 /// takes that.
 [[nodiscard]] CheckedShape withLooseEdgesDivided(CheckedShape shape);
 
-/// The same with edges divided along which faces twist (twisted_edges.h), if OpenCASCADE takes that.
+/// The same with edges divided along which faces twist (divided_edges.h), if OpenCASCADE takes that.
 [[nodiscard]] CheckedShape withTwistedEdgesDivided(CheckedShape shape);
 
 } // namespace qm

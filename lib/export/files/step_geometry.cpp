@@ -19,13 +19,6 @@
 namespace qm {
 namespace {
 
-template <class Array> auto listed(const Array& array) {
-    std::vector<typename Array::value_type> values;
-    for (int k = array.Lower(); k <= array.Upper(); ++k)
-        values.push_back(array(k));
-    return values;
-}
-
 StepId addDirection(StepFile& file, const gp_Dir& direction) {
     return file.add("DIRECTION", "", std::array{direction.X(), direction.Y(), direction.Z()});
 }
@@ -40,7 +33,7 @@ template <class Curve> StepId addSplineCurve(StepFile& file, const Curve& curve)
     for (int k = 1; k <= curve.NbPoles(); ++k)
         poles.push_back(addPoint(file, curve.Pole(k)));
     return file.add("B_SPLINE_CURVE_WITH_KNOTS", "", curve.Degree(), poles, unspecified, false, false,
-                    listed(curve.Multiplicities()), listed(curve.Knots()), unspecified);
+                    curve.Multiplicities(), curve.Knots(), unspecified);
 }
 
 StepId addSplineSurface(StepFile& file, const Geom_BSplineSurface& surface) {
@@ -49,9 +42,8 @@ StepId addSplineSurface(StepFile& file, const Geom_BSplineSurface& surface) {
         for (int j = 1; j <= surface.NbVPoles(); ++j)
             poles[at(i - 1)].push_back(addPoint(file, surface.Pole(i, j)));
     return file.add("B_SPLINE_SURFACE_WITH_KNOTS", "", surface.UDegree(), surface.VDegree(), poles,
-                    unspecified, false, false, false, listed(surface.UMultiplicities()),
-                    listed(surface.VMultiplicities()), listed(surface.UKnots()), listed(surface.VKnots()),
-                    unspecified);
+                    unspecified, false, false, false, surface.UMultiplicities(), surface.VMultiplicities(),
+                    surface.UKnots(), surface.VKnots(), unspecified);
 }
 
 } // namespace

@@ -2,8 +2,7 @@
 
 #include "base/at.h"
 
-#include <algorithm>
-#include <utility>
+#include <BSplCLib.hxx>
 #include <vector>
 
 namespace qm {
@@ -16,32 +15,11 @@ struct KnotTable {
 };
 
 KnotTable knotTable(const std::vector<double>& knots) {
-    std::vector<std::pair<double, int>> distinct;
-    for (const double knot : knots) {
-        if (distinct.empty() || distinct.back().first != knot) distinct.emplace_back(knot, 0);
-        ++distinct.back().second;
-    }
-    const auto size = static_cast<int>(distinct.size());
+    const TColStd_Array1OfReal sequence(knots.front(), 1, static_cast<int>(knots.size()));
+    const int size = BSplCLib::KnotsLength(sequence);
     KnotTable table{TColStd_Array1OfReal(1, size), TColStd_Array1OfInteger(1, size)};
-    for (int k = 0; k < size; ++k) {
-        const auto& [knot, multiplicity] = distinct[at(k)];
-        table.values.SetValue(k + 1, knot);
-        table.multiplicities.SetValue(k + 1, multiplicity);
-    }
+    BSplCLib::Knots(sequence, table.values, table.multiplicities);
     return table;
-}
-
-std::vector<double> fullKnots(const TColStd_Array1OfReal& values,
-                              const TColStd_Array1OfInteger& multiplicities) {
-    std::vector<double> knots;
-    for (int k = values.Lower(); k <= values.Upper(); ++k)
-        knots.insert(knots.end(), at(multiplicities(k)), values(k));
-    return knots;
-}
-
-bool hasRepeatedInnerKnot(const std::vector<double>& knots, int degree) {
-    const std::ptrdiff_t surplus = std::ptrdiff_t{degree} + 1;
-    return std::adjacent_find(knots.begin() + surplus, knots.end() - surplus) != knots.end() - surplus;
 }
 
 /// Of an inner knot along u, as far as the surface does not need them.
@@ -56,8 +34,9 @@ bool removeRepetitions(Geom_BSplineSurface& surface, int knot, double tolerance)
 
 /// A patch with the knots and control points of a surface.
 Patch withKnotsOf(const Geom_BSplineSurface& surface, Patch patch) {
-    patch.knots = {fullKnots(surface.UKnots(), surface.UMultiplicities()),
-                   fullKnots(surface.VKnots(), surface.VMultiplicities())};
+    const TColStd_Array1OfReal& u = surface.UKnotSequence();
+    const TColStd_Array1OfReal& v = surface.VKnotSequence();
+    patch.knots = {std::vector(u.begin(), u.end()), std::vector(v.begin(), v.end())};
     patch.count = {surface.NbUPoles(), surface.NbVPoles()};
     patch.controlPoints.clear();
     for (int j = 1; j <= patch.count[1]; ++j)
@@ -123,9 +102,6 @@ Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, doubl
 }
 
 Patch withoutNeedlessKnots(const Patch& clampedPatch, double tolerance) {
-    if (!hasRepeatedInnerKnot(clampedPatch.knots[0], clampedPatch.degree[0]) &&
-        !hasRepeatedInnerKnot(clampedPatch.knots[1], clampedPatch.degree[1]))
-        return clampedPatch;
     const Handle(Geom_BSplineSurface) surface = splineSurface(clampedPatch);
     bool removed = false;
     for (int k = surface->NbUKnots() - 1; k > 1; --k)

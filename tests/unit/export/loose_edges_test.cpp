@@ -1,4 +1,4 @@
-#include "export/boundary/loose_edges.h"
+#include "export/boundary/divided_edges.h"
 #include "export/geometry/geometry.h"
 
 #include <gtest/gtest.h>

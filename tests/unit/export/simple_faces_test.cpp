@@ -34,7 +34,7 @@ struct SharedFaces {
 TEST(SimpleFaces, MeetInExactCurves) {
     const FittedModel model = cup();
     SharedFaces made(model);
-    const SimpleFaces simple(made.faces.patches, made.shared, {1e-6, 1e-7, {0.01, 0.01}, 0.57});
+    const SimpleFaces simple(made.faces, made.shared, {1e-6, 1e-7, {0.01, 0.01}});
     SimpleFaces moved = simple;
     moved.moveVertices(made.shared);
     for (std::size_t face = 0; face < 2; ++face)
@@ -58,7 +58,7 @@ TEST(SimpleFaces, MeetInExactCurves) {
 TEST(SimpleFaces, AreNothingButPlanesUnlessMoreIsAllowed) {
     const FittedModel model = cup();
     SharedFaces made(model);
-    SimpleFaces simple(made.faces.patches, made.shared, {1e-3, 1e-7, {}, 0.57});
+    SimpleFaces simple(made.faces, made.shared, {1e-3, 1e-7, {}});
     EXPECT_FALSE(simple[0]) << "a cylinder";
     EXPECT_TRUE(simple[1]);
     const std::vector<Point> before = made.shared.vertexPoint;
@@ -69,7 +69,7 @@ TEST(SimpleFaces, AreNothingButPlanesUnlessMoreIsAllowed) {
 TEST(SimpleFaces, BordersEndWhereVerticesHaveBeenMoved) {
     const FittedModel model = cup();
     SharedFaces made(model);
-    SimpleFaces simple(made.faces.patches, made.shared, {1e-6, 1e-7, {0.01, 0.01}, 0.57});
+    SimpleFaces simple(made.faces, made.shared, {1e-6, 1e-7, {0.01, 0.01}});
     simple.moveVertices(made.shared);
     const SharedEdge& edge = made.shared.edges.front();
     const auto border =
@@ -83,7 +83,7 @@ TEST(SimpleFaces, BordersEndWhereVerticesHaveBeenMoved) {
         EXPECT_LT((fromGp(moved->Value(parameter)) - fromGp(border->Value(parameter)) - share * away).norm(),
                   1e-12);
     }
-    const SimpleFaces planesOnly(made.faces.patches, made.shared, {1e-6, 1e-7, {}, 0.57});
+    const SimpleFaces planesOnly(made.faces, made.shared, {1e-6, 1e-7, {}});
     EXPECT_EQ(planesOnly.movedBorder(edge, made.shared, border), border);
 }
 

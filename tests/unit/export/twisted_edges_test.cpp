@@ -1,5 +1,5 @@
 #include "bspline/splines/clamped_patch.h"
-#include "export/boundary/twisted_edges.h"
+#include "export/boundary/divided_edges.h"
 #include "export/geometry/geometry.h"
 
 #include <gtest/gtest.h>
