@@ -77,7 +77,7 @@ public:
         int number = 0;
         for (const BoundaryBody& body : bodies)
             addBody(body, bodies.size() == 1 ? "" : " " + std::to_string(++number));
-        return file_.text({stepText(options_.name), options_.date},
+        return file_.text(stepText(options_.name), options_.date,
                           "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }");
     }
 

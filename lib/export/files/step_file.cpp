@@ -96,9 +96,9 @@ StepId StepFile::addText(std::string_view entity) {
     return {count_};
 }
 
-std::string StepFile::text(const StepHeader& header, std::string_view schema) const {
+std::string StepFile::text(std::string_view name, std::string_view date, std::string_view schema) const {
     std::string result = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('";
-    result.append(header.name).append("','").append(header.date);
+    result.append(name).append("','").append(date);
     result.append("',(''),(''),'quadmesh','quadmesh','');\nFILE_SCHEMA(('");
     result.append(schema).append("'));\nENDSEC;\nDATA;\n").append(data_);
     return result + "ENDSEC;\nEND-ISO-10303-21;\n";

@@ -64,11 +64,6 @@ template <class... Values>
     return text + ')';
 }
 
-struct StepHeader {
-    std::string name; ///< of the file, made by `stepText`
-    std::string date; ///< when it was made, such as "1970-01-01T00:00:00"
-};
-
 class StepFile {
 public:
     template <class... Values> StepId add(std::string_view keyword, const Values&... values) {
@@ -80,8 +75,11 @@ public:
     StepId addComplex(std::string_view records);
 
     /// The whole file.
+    /// \param name    of the file, made by `stepText`
+    /// \param date    when it was made, such as "1970-01-01T00:00:00"
     /// \param schema  the name for FILE_SCHEMA
-    [[nodiscard]] std::string text(const StepHeader& header, std::string_view schema) const;
+    [[nodiscard]] std::string text(std::string_view name, std::string_view date,
+                                   std::string_view schema) const;
 
 private:
     StepId addText(std::string_view entity);

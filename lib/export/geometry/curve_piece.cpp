@@ -44,11 +44,14 @@ std::vector<gp_Pnt> controlPoints(const CurvePiece& piece) {
 }
 
 std::vector<double> parametersOf(const CurvePiece& piece, int perInterval) {
-    const std::vector<double> breaks = breaksOf(piece);
-    std::vector<double> result{breaks.front()};
-    for (std::size_t k = 1; k < breaks.size(); ++k)
-        for (int step = 1; step <= perInterval; ++step)
-            result.push_back(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * step / perInterval);
+    return steppedKnots(breaksOf(piece), perInterval);
+}
+
+std::vector<double> steppedKnots(const std::vector<double>& knots, int perInterval) {
+    std::vector<double> result{knots.front()};
+    for (std::size_t k = 1; k < knots.size(); ++k)
+        for (int step = 1; step <= perInterval && knots[k - 1] < knots[k]; ++step)
+            result.push_back(knots[k - 1] + (knots[k] - knots[k - 1]) * step / perInterval);
     return result;
 }
 

@@ -34,4 +34,8 @@ struct CurvePiece {
 /// \param perInterval  number of steps
 [[nodiscard]] std::vector<double> parametersOf(const CurvePiece& piece, int perInterval);
 
+/// Parameters from the first knot to the last, in so many equal steps in every interval.
+/// \param knots  ascending; where one is repeated, there is no interval
+[[nodiscard]] std::vector<double> steppedKnots(const std::vector<double>& knots, int perInterval);
+
 } // namespace qm

@@ -2,6 +2,7 @@
 
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/evaluate.h"
+#include "export/geometry/curve_piece.h"
 #include "mesh/bounding_box.h"
 
 #include <Eigen/Geometry>
@@ -18,17 +19,9 @@ using Eigen::Vector3d;
 /// One more than the degree.
 constexpr int samplesPerInterval = 4;
 
-/// Parameters in every knot interval, at both its ends and between.
-std::vector<double> parameters(const std::vector<double>& knots, int steps) {
-    std::vector<double> result{knots.front()};
-    for (std::size_t k = 0; k + 1 < knots.size(); ++k)
-        for (int step = 1; step <= steps && knots[k] < knots[k + 1]; ++step)
-            result.push_back(knots[k] + (knots[k + 1] - knots[k]) * step / steps);
-    return result;
-}
-
-/// At most `max` of them, evenly, the ends among them.
-std::vector<double> thinned(const std::vector<double>& values, std::size_t max) {
+/// At both ends of every knot interval and between; at most `max` parameters, evenly, the ends among them.
+std::vector<double> parameters(const std::vector<double>& knots, std::size_t max) {
+    const std::vector<double> values = steppedKnots(knots, samplesPerInterval);
     if (values.size() <= max) return values;
     std::vector<double> result;
     for (std::size_t k = 0; k < max; ++k)
@@ -45,8 +38,7 @@ PatchCloud cloudOf(const Patch& patch, std::size_t max) {
     cloud.size = vector(box.size()).norm();
     if (!(cloud.size > 0)) return cloud;
     for (const SurfacePoint& at :
-         evaluateLattice(patch, thinned(parameters(patch.knots[0], samplesPerInterval), max),
-                         thinned(parameters(patch.knots[1], samplesPerInterval), max))) {
+         evaluateLattice(patch, parameters(patch.knots[0], max), parameters(patch.knots[1], max))) {
         const Vector3d across = vector(at.du).cross(vector(at.dv));
         const auto normal = unitNormal(at.du, at.dv);
         if (!normal) continue;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/splines/surfaces.h"
-#include "export/simple/simple_shape_guess.h"
+#include "export/simple/simple_shape.h"
 
 #include <Eigen/Core>
 

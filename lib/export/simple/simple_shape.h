@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace qm {
 
 enum class SimpleKind { plane, cylinder, cone, sphere, torus };
@@ -23,6 +25,12 @@ struct SimpleShape {
     [[nodiscard]] Eigen::Vector3d normal(const Eigen::Vector3d& point) const;
     /// From the axis, or a sphere's centre, towards the point; of any length.
     [[nodiscard]] Eigen::Vector3d radial(const Eigen::Vector3d& point) const;
+};
+
+/// Points of a surface about the origin, of about unit size, and the unit normals there.
+struct OrientedPoints {
+    std::vector<Eigen::Vector3d> points;
+    std::vector<Eigen::Vector3d> normals;
 };
 
 /// A shape among points that were moved by -centre and then divided by a size, where it was before; and back.

@@ -1,5 +1,4 @@
-#include "export/simple/simple_shape_guess.h"
-
+#include "export/simple/simple_shape_fit.h"
 #include "export/simple/small_matrices.h"
 
 #include <Eigen/Geometry>

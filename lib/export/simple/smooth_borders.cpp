@@ -24,8 +24,9 @@ Vector3d commonPoint(Vector3d point, const SimpleShape& one, const SimpleShape& 
     return point;
 }
 
-} // namespace
-
+/// Largest angle between the two surfaces at a border, in degrees: along the border, and where they meet near
+/// it.
+/// \param shapes  by side; nothing if the patch stays
 double bendAt(const SmoothBorder& border, const std::array<const std::optional<PlacedShape>*, 2>& shapes) {
     double largest = 0;
     const auto& [one, other] = shapes;
@@ -43,6 +44,8 @@ double bendAt(const SmoothBorder& border, const std::array<const std::optional<P
     }
     return largest;
 }
+
+} // namespace
 
 void keepSmooth(const std::vector<SmoothBorder>& borders, std::vector<std::optional<PlacedShape>>& shapes) {
     std::vector<std::vector<std::size_t>> bordersOf(shapes.size());

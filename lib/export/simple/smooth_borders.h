@@ -31,12 +31,6 @@ struct PlacedShape {
     bool mayGo = false; ///< the patch may stay as it is instead
 };
 
-/// Largest angle between the two surfaces at a border, in degrees: along the border, and where they meet near
-/// it.
-/// \param shapes  by side; nothing if the patch stays
-[[nodiscard]] double bendAt(const SmoothBorder& border,
-                            const std::array<const std::optional<PlacedShape>*, 2>& shapes);
-
 /// Takes surfaces away until no border bends by more than `maxNewAngle`. Linear in the borders.
 /// \param shapes  by patch
 void keepSmooth(const std::vector<SmoothBorder>& borders, std::vector<std::optional<PlacedShape>>& shapes);

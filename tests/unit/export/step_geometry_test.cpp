@@ -18,7 +18,7 @@ double writtenHeight(const Handle(Geom_Surface) & surface) {
     StepFile file;
     const Handle(Geom2d_Curve) segment(GCE2d_MakeSegment(gp_Pnt2d(0, 0), gp_Pnt2d(1, 2)).Value());
     (void)addPlaneCurve(file, Geom2dConvert::CurveToBSplineCurve(segment), surface);
-    const std::string text = file.text({"", ""}, "");
+    const std::string text = file.text("", "", "");
     const std::regex point(R"(CARTESIAN_POINT\('',\(1\.?,([^,)]+)\)\))");
     std::smatch found;
     EXPECT_TRUE(std::regex_search(text, found, point)) << text;
