@@ -4,31 +4,6 @@
 #include "mesh/topology.h"
 
 namespace qm {
-namespace {
-
-class Tracer {
-public:
-    explicit Tracer(const QuadMesh& mesh) : mesh_(mesh), visited_(mesh.n_edges(), false) {}
-
-    [[nodiscard]] bool fresh(HalfedgeId halfedge) const {
-        return !visited_[index(halfedge)] && !mesh_.is_boundary(mesh_.edge_handle(halfedge));
-    }
-
-    MeshLine trace(HalfedgeId start) {
-        MeshLine line = straightFrom(mesh_, start);
-        for (const HalfedgeId halfedge : line.halfedges)
-            visited_[index(halfedge)] = true;
-        return line;
-    }
-
-private:
-    [[nodiscard]] std::size_t index(HalfedgeId halfedge) const { return at(mesh_.edge_handle(halfedge)); }
-
-    const QuadMesh& mesh_;
-    std::vector<bool> visited_;
-};
-
-} // namespace
 
 MeshLine straightFrom(const QuadMesh& mesh, HalfedgeId start) {
     MeshLine line{{start}, false};
@@ -41,14 +16,21 @@ MeshLine straightFrom(const QuadMesh& mesh, HalfedgeId start) {
 }
 
 void forEachMeshLine(const QuadMesh& mesh, const std::function<void(const MeshLine&)>& visit) {
-    Tracer tracer(mesh);
-    for (const VertexId vertex : mesh.vertices()) {
-        if (mesh.is_isolated(vertex) || continuesStraight(mesh, vertex)) continue;
-        for (const HalfedgeId start : mesh.voh_range(vertex))
-            if (tracer.fresh(start)) visit(tracer.trace(start));
-    }
+    std::vector<bool> isVisited(mesh.n_edges(), false);
+    const auto visitFrom = [&](HalfedgeId start) {
+        const EdgeId first = mesh.edge_handle(start);
+        if (isVisited[at(first)] || mesh.is_boundary(first)) return;
+        const MeshLine line = straightFrom(mesh, start);
+        for (const HalfedgeId halfedge : line.halfedges)
+            isVisited[at(mesh.edge_handle(halfedge))] = true;
+        visit(line);
+    };
+    for (const VertexId vertex : mesh.vertices())
+        if (!mesh.is_isolated(vertex) && !continuesStraight(mesh, vertex))
+            for (const HalfedgeId start : mesh.voh_range(vertex))
+                visitFrom(start);
     for (const EdgeId edge : mesh.edges())
-        if (tracer.fresh(mesh.halfedge_handle(edge, 0))) visit(tracer.trace(mesh.halfedge_handle(edge, 0)));
+        visitFrom(mesh.halfedge_handle(edge, 0));
 }
 
 } // namespace qm

@@ -89,11 +89,6 @@ std::array<Triangle, 2> halvesOf(const QuadMesh& mesh, FaceId face) {
     return {{{a, b, c}, {a, c, d}}};
 }
 
-std::array<std::optional<Point>, 2> triangleNormals(const QuadMesh& mesh, FaceId face) {
-    const auto [first, second] = halvesOf(mesh, face);
-    return {triangleNormal(first), triangleNormal(second)};
-}
-
 bool hasArea(const QuadMesh& mesh, FaceId face) {
     return std::ranges::any_of(halvesOf(mesh, face), [](const Triangle& triangle) {
         return crossProduct(triangle) != Point(0, 0, 0);
@@ -102,8 +97,8 @@ bool hasArea(const QuadMesh& mesh, FaceId face) {
 
 std::optional<Point> quadNormal(const QuadMesh& mesh, FaceId face) {
     Point sum(0, 0, 0);
-    for (const std::optional<Point>& normal : triangleNormals(mesh, face))
-        if (normal) sum += *normal;
+    for (const Triangle& half : halvesOf(mesh, face))
+        if (const auto normal = triangleNormal(half)) sum += *normal;
     return unit(sum);
 }
 

@@ -22,9 +22,6 @@ using Triangle = std::array<Point, 3>;
 /// The two triangles of a quad, split along the diagonal from its first vertex.
 [[nodiscard]] std::array<Triangle, 2> halvesOf(const QuadMesh& mesh, FaceId face);
 
-/// The normals of a quad's two triangles.
-[[nodiscard]] std::array<std::optional<Point>, 2> triangleNormals(const QuadMesh& mesh, FaceId face);
-
 /// Whether at least one of the quad's two triangles has an area.
 [[nodiscard]] bool hasArea(const QuadMesh& mesh, FaceId face);
 

@@ -2,36 +2,31 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "base/groups.h"
 #include "mesh/soup/soup.h"
 #include "mesh/soup/validate.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
+#include <utility>
 
 namespace qm {
 namespace {
 
 /// For every point, the first point with the same coordinates.
 std::vector<std::uint32_t> firstEqual(const std::vector<Point>& points) {
-    struct Entry {
-        Point point;
-        std::uint32_t number;
-    };
+    using Entry = std::pair<Point, std::uint32_t>;
     std::vector<Entry> entries;
     entries.reserve(points.size());
     for (const Point& point : points)
-        entries.push_back({point, static_cast<std::uint32_t>(entries.size())});
-    std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
-        for (unsigned k = 0; k < 3; ++k)
-            if (a.point[k] != b.point[k]) return a.point[k] < b.point[k];
-        return a.number < b.number;
-    });
+        entries.emplace_back(point, static_cast<std::uint32_t>(entries.size()));
+    std::sort(entries.begin(), entries.end());
     std::vector<std::uint32_t> first(points.size());
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-        if (k == 0 || entries[k].point != entries[k - 1].point) group = entries[k].number;
-        first[entries[k].number] = group;
-    }
+    forEachGroup(entries, &Entry::first, [&](std::span<const Entry> group) {
+        for (const Entry& entry : group)
+            first[entry.second] = group.front().second;
+    });
     return first;
 }
 

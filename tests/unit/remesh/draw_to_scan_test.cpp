@@ -84,8 +84,10 @@ TEST(DrawToScan, FoldedQuadsUnfold) {
             Point middle{0, 0, 0};
             for (const VertexId corner : corners)
                 middle += of.point(corner);
-            const auto normals = triangleNormals(of, face);
-            return std::ranges::any_of(normals, [&](const auto& n) { return !n || (*n | middle) < 0; });
+            return std::ranges::any_of(halvesOf(of, face), [&](const Triangle& half) {
+                const auto normal = triangleNormal(half);
+                return !normal || (*normal | middle) < 0;
+            });
         });
     };
     EXPECT_GT(folded(mesh), 0);
