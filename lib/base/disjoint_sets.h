@@ -26,6 +26,15 @@ public:
         parent_[high] = low;
     }
 
+    /// The members of every set, ascending; sets in the order of their lowest members.
+    [[nodiscard]] std::vector<std::vector<std::size_t>> members() {
+        std::vector<std::vector<std::size_t>> sets(parent_.size());
+        for (std::size_t k = 0; k < sets.size(); ++k)
+            sets[find(k)].push_back(k);
+        std::erase_if(sets, [](const auto& set) { return set.empty(); });
+        return sets;
+    }
+
     /// Puts a number back into a set of its own. All other members of its old set must be isolated, too,
     /// before `find` is called for any of them.
     void isolate(std::size_t k) { parent_[k] = k; }

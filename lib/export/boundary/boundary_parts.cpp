@@ -3,24 +3,9 @@
 #include "base/disjoint_sets.h"
 #include "mesh/nesting.h"
 
+#include <algorithm>
+
 namespace qm {
-namespace {
-
-/// By patch: its connected component, numbered in the order of the patches.
-std::vector<std::size_t> patchComponents(const SharedEdges& shared) {
-    DisjointSets sets(shared.ofPatch.size());
-    for (const SharedEdge& edge : shared.edges)
-        sets.join(edge.places.front().patch, edge.places.back().patch);
-    std::vector<std::size_t> component(shared.ofPatch.size());
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < component.size(); ++k) { // the lowest patch of a set comes first
-        const std::size_t lowest = sets.find(k);
-        component[k] = lowest == k ? count++ : component[lowest];
-    }
-    return component;
-}
-
-} // namespace
 
 std::vector<BoundaryBody> bodiesOf(const std::vector<BoundaryPart>& parts) {
     std::vector<BoundaryBody> bodies(parts.size());
@@ -35,19 +20,24 @@ std::vector<BoundaryBody> bodiesOf(const std::vector<BoundaryPart>& parts) {
 
 std::vector<BoundaryPart> boundaryParts(const QuadMesh& mesh, const Layout& layout,
                                         const SharedEdges& shared) {
-    const std::vector<std::size_t> component = patchComponents(shared);
-    std::vector<BoundaryPart> parts;
-    for (std::size_t k = 0; k < component.size(); ++k) {
-        if (component[k] == parts.size()) parts.push_back({{}, true, false});
-        parts[component[k]].faces.push_back(k);
-    }
+    DisjointSets sets(shared.ofPatch.size());
     for (const SharedEdge& edge : shared.edges)
-        if (edge.places.size() < 2) parts[component[edge.places.front().patch]].closed = false;
-    std::vector<std::vector<FaceId>> quads(parts.size()); // of the closed ones
-    for (std::size_t k = 0; k < component.size(); ++k) {
-        const std::vector<FaceId>& ofFace = layout.segments[k].faces;
-        std::vector<FaceId>& ofPart = quads[component[k]];
-        if (parts[component[k]].closed) ofPart.insert(ofPart.end(), ofFace.begin(), ofFace.end());
+        sets.join(edge.places.front().patch, edge.places.back().patch);
+    const auto isOpen = [&](std::size_t face) {
+        return std::ranges::any_of(shared.ofPatch[face], [&](const EdgeUse& use) {
+            return shared.edges[use.edge].places.size() < 2;
+        });
+    };
+    std::vector<BoundaryPart> parts;
+    std::vector<std::vector<FaceId>> quads; // of the closed ones
+    for (const std::vector<std::size_t>& faces : sets.members()) {
+        const bool closed = std::ranges::none_of(faces, isOpen);
+        parts.push_back({faces, closed});
+        std::vector<FaceId>& ofPart = quads.emplace_back();
+        if (!closed) continue;
+        for (const std::size_t face : faces)
+            ofPart.insert(ofPart.end(), layout.segments[face].faces.begin(),
+                          layout.segments[face].faces.end());
     }
     const std::vector<Nesting> nesting = nestingOf(mesh, quads);
     for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -6,10 +6,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <numeric>
 #include <queue>
-#include <set>
+#include <span>
 #include <utility>
 
 namespace qm {
@@ -97,23 +96,20 @@ std::vector<ShapeRegion> wholeComponents(const ShapePatches& patches) {
     for (std::size_t k = 0; k < patches.clouds.size(); ++k)
         for (const std::size_t neighbour : patches.neighbours[k])
             sets.join(k, neighbour);
-    std::map<std::size_t, ShapeRegion> components;
-    std::set<std::size_t> isOther; // has a patch that cannot be in a region
-    for (std::size_t k = 0; k < patches.clouds.size(); ++k) {
-        const PatchCloud& cloud = patches.clouds[k];
-        if (!(patches.tolerances[k] > 0) || cloud.samples.points.empty()) isOther.insert(sets.find(k));
-        const auto [entry, isNew] = components.try_emplace(
-            sets.find(k), ShapeRegion{cloud, {}, {}, 1, patches.tolerances[k], cloud.area});
-        ShapeRegion& region = entry->second;
-        region.patches.push_back(k);
-        if (isNew) continue;
-        append(region.cloud, cloud);
-        region.area += cloud.area;
-        region.tolerance = std::min(region.tolerance, patches.tolerances[k]);
-    }
+    const auto isOther = [&](std::size_t k) { // cannot be in a region
+        return !(patches.tolerances[k] > 0) || patches.clouds[k].samples.points.empty();
+    };
     std::vector<ShapeRegion> result;
-    for (auto& [first, component] : components) {
-        if (isOther.contains(first)) continue;
+    for (const std::vector<std::size_t>& members : sets.members()) {
+        if (std::ranges::any_of(members, isOther)) continue;
+        const std::size_t first = members.front();
+        ShapeRegion component{patches.clouds[first],     {}, members, 1, patches.tolerances[first],
+                              patches.clouds[first].area};
+        for (const std::size_t k : std::span(members).subspan(1)) {
+            append(component.cloud, patches.clouds[k]);
+            component.area += patches.clouds[k].area;
+            component.tolerance = std::min(component.tolerance, patches.tolerances[k]);
+        }
         component.limits = ofWholeComponents;
         thin(component.cloud.samples);
         for (const auto& [kind, weight] : kinds) {

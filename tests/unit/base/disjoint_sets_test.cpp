@@ -14,6 +14,7 @@ TEST(DisjointSets, TheLowestMemberStandsForItsSet) {
     EXPECT_EQ(sets.find(5), 1U);
     EXPECT_EQ(sets.find(4), 2U);
     EXPECT_EQ(sets.find(0), 0U);
+    EXPECT_EQ(sets.members(), (std::vector<std::vector<std::size_t>>{{0}, {1, 3, 5}, {2, 4}}));
     sets.join(2, 5);
     for (std::size_t k = 1; k < 6; ++k)
         EXPECT_EQ(sets.find(k), 1U);
