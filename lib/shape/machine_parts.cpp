@@ -22,6 +22,12 @@ Place quarterCircle(double share) {
 
 constexpr RoundHole drilledHole{.hole = 0.5, .frame = 1.5, .radius = 0.75};
 
+/// With a hole around an axis along z made round.
+Point rounded(const Point& point, const RoundHole& hole, Place axis) {
+    const Place place = hole.moved({point[0] - axis.x, point[1] - axis.y});
+    return {place.x + axis.x, place.y + axis.y, point[2]};
+}
+
 /// Turns the hole through the middle of the block into a round one with filleted rims.
 Point blockPoint(const Point& point, double middle, double height) {
     constexpr RoundHole hole{.hole = 0.5, .frame = 1.5, .radius = 0.6};
@@ -65,10 +71,7 @@ Point bracketPoint(Point point) {
     const Place bent = filletedCorner({point[0] - 1, point[2] - 1}, fillet);
     point[0] = 1 + bent.x;
     point[2] = 1 + bent.y;
-    if (point[2] <= 1 && point[0] >= far - hole.frame) {
-        const Place place = hole.moved({point[0] - far, point[1] - middle});
-        return {place.x + far, place.y + middle, point[2]};
-    }
+    if (point[2] <= 1 && point[0] >= far - hole.frame) return rounded(point, hole, {far, middle});
     if (point[0] <= 1 && point[2] >= far - hole.frame) {
         const Place place = hole.moved({point[1] - middle, point[2] - far});
         return {point[0], place.x + middle, place.y + far};
@@ -102,7 +105,7 @@ QuadList bracketShape(int n) {
 
 QuadList plateShape(int n) {
     constexpr RoundHole hole{.hole = 0.2, .frame = 0.5, .radius = 0.3};
-    constexpr double middleX = 2.5, middleY = 1.5;
+    constexpr Place middle{2.5, 1.5};
     const GridTopology grid{.columns = 5, .rows = 3};
     QuadList sheet = grid.withPoints([](int column, int row) { return Point(column, row, 0); });
     // A ring of four quads takes the place of the middle one.
@@ -113,14 +116,11 @@ QuadList plateShape(int n) {
     for (int k = 0; k < 4; ++k) {
         const std::size_t corner = at(k);
         const Point& point = sheet.points[at(outer[corner])];
-        const Point centre(middleX, middleY, 0);
+        const Point centre(middle.x, middle.y, 0);
         sheet.points.push_back(centre + (point - centre) * (hole.hole / hole.frame));
         sheet.quads.push_back({outer[corner], outer[(corner + 1) % 4], inner + (k + 1) % 4, inner + k});
     }
-    return moved(refined(sheet, n), [&](const Point& point) {
-        const Place round = hole.moved({point[0] - middleX, point[1] - middleY});
-        return Point(round.x + middleX, round.y + middleY, 0);
-    });
+    return moved(refined(sheet, n), [&](const Point& point) { return rounded(point, hole, middle); });
 }
 
 QuadList drilledShape(int n, int holes) {
@@ -130,9 +130,7 @@ QuadList drilledShape(int n, int holes) {
         voxels.erase({3 * k + 1, 1, 0});
     return moved(refined(voxelSurface(voxels), n), [&](const Point& point) {
         const double nearest = std::min(std::floor(point[0] / 3), holes - 1.0);
-        const double x = 3 * nearest + 1.5, y = 1.5;
-        const Place round = hole.moved({point[0] - x, point[1] - y});
-        return Point(round.x + x, round.y + y, point[2]);
+        return rounded(point, hole, {3 * nearest + 1.5, 1.5});
     });
 }
 

@@ -31,26 +31,24 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
                     "Fit the surfaces anew");
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[k];
-        const std::string name = "patch " + std::to_string(k);
+        const auto require = [&](bool holds, const char* otherwise) {
+            if (!holds) throw Error("patch " + std::to_string(k), otherwise, "Fit the surfaces anew");
+        };
         for (std::size_t d = 0; d < 2; ++d) {
             const auto& knots = patch.knots[d];
             const int degree = patch.degree[d];
             const bool cubic = degree == 3 && patch.count[d] >= 4;
             const bool lower = degree > 0 && degree < 3 && patch.count[d] == degree + 1;
-            if (!cubic && !lower)
-                throw Error(name, "is neither cubic nor of a lower degree without inner knots",
-                            "Fit the surfaces anew");
+            require(cubic || lower, "is neither cubic nor of a lower degree without inner knots");
             const std::size_t due = at(patch.count[d]) + at(degree) + 1;
-            if (knots.size() != due || !std::ranges::is_sorted(knots) ||
-                (lower && clampedDegree(knots) != degree) ||
-                domain(knots, degree) !=
-                    std::array<double, 2>{0, static_cast<double>(layout.segments[k].size[d])})
-                throw Error(name, "has knots that do not belong to its segment", "Fit the surfaces anew");
-            if (!isContinuous(knots, degree))
-                throw Error(name, "has one knot so often that it falls apart there", "Fit the surfaces anew");
+            const std::array<double, 2> range{0, static_cast<double>(layout.segments[k].size[d])};
+            require(knots.size() == due && std::ranges::is_sorted(knots) &&
+                        (!lower || clampedDegree(knots) == degree) && domain(knots, degree) == range,
+                    "has knots that do not belong to its segment");
+            require(isContinuous(knots, degree), "has one knot so often that it falls apart there");
         }
-        if (patch.controlPoints.size() != at(patch.count[0]) * at(patch.count[1]))
-            throw Error(name, "has a wrong number of control points", "Fit the surfaces anew");
+        require(patch.controlPoints.size() == at(patch.count[0]) * at(patch.count[1]),
+                "has a wrong number of control points");
     }
 }
 
