@@ -12,9 +12,6 @@ namespace qm {
 /// Grows with the faces that are added to it.
 class FaceChart {
 public:
-    FaceChart() = default;
-    FaceChart(const FaceChart&) = delete;
-    FaceChart& operator=(const FaceChart&) = delete;
     virtual ~FaceChart() = default;
 
     /// \param face  shares an edge with one that was added

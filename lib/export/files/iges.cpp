@@ -15,6 +15,7 @@
 #include <TransferBRep.hxx>
 #include <TransferBRep_ShapeMapper.hxx>
 #include <Transfer_FinderProcess.hxx>
+#include <algorithm>
 #include <mutex>
 #include <sstream>
 
@@ -30,20 +31,16 @@ namespace qm {
 namespace {
 
 /// "19700101.000000" for "1970-01-01T00:00:00".
-std::string igesDate(const std::string& date) {
-    std::string result;
-    for (const char letter : date)
-        if (letter == 'T')
-            result += '.';
-        else if (letter != '-' && letter != ':')
-            result += letter;
-    return result;
+std::string igesDate(std::string date) {
+    std::erase_if(date, [](char letter) { return letter == '-' || letter == ':'; });
+    std::ranges::replace(date, 'T', '.');
+    return date;
 }
 
 /// IGES knows no other letters.
 std::string asciiName(std::string name) {
-    for (char& letter : name)
-        if (letter < ' ' || letter > '~') letter = '_';
+    std::ranges::replace_if(
+        name, [](char letter) { return letter < ' ' || letter > '~'; }, '_');
     return name;
 }
 

@@ -16,9 +16,6 @@ namespace {
 /// Reads one number after another, in the format given by the header.
 class Values {
 public:
-    Values() = default;
-    Values(const Values&) = delete;
-    Values& operator=(const Values&) = delete;
     virtual ~Values() = default;
     /// The next number; nothing at the end of the file.
     virtual std::optional<double> next(PlyType type) = 0;
