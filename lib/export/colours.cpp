@@ -1,4 +1,4 @@
-#include "export/colours.h"
+#include "export/quads.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,7 @@
 
 #include "base/error.h"
 #include "base/positions.h"
-#include "export/colours.h"
-#include "export/faces/join.h"
-#include "export/faces/quarter_turn.h"
-#include "export/faces/separate.h"
+#include "export/faces/face_patches.h"
 #include "export/files/boundary_files.h"
 #include "export/files/checked_shape.h"
 #include "export/quads.h"

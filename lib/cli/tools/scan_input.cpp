@@ -6,7 +6,7 @@
 #include "document/files/sha256.h"
 #include "document/json/utf8.h"
 #include "mesh/files/read_triangles.h"
-#include "mesh/triangles/orient_triangles.h"
+#include "mesh/triangles/repair_triangles.h"
 
 #include <cstddef>
 

@@ -80,7 +80,7 @@ void dropUnused(Boundary& boundary);
 /// Takes the topology from the layout: one face per patch, and one edge between any two vertices where
 /// borders meet, used by the patches on both sides. So nothing has to be sewn, and a gap between patches
 /// becomes the tolerance of the edge that they share. Plane patches become planes.
-/// \param faces     none touches itself, see separate.h
+/// \param faces     none touches itself, see `separated`
 /// \param simplify  by face: the largest distance between a patch and the plane, cylinder, cone, sphere or
 /// torus that replaces it; empty or 0 allows only exact planes
 [[nodiscard]] Boundary makeBoundary(const QuadMesh& mesh, const FacePatches& faces,

@@ -1,5 +1,4 @@
-#include "export/boundary/merge_edges.h"
-
+#include "export/boundary/merge.h"
 #include "export/simple/conic_curve.h"
 #include "export/simple/curve_on_surface.h"
 

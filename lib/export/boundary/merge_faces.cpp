@@ -1,8 +1,7 @@
-#include "export/boundary/merge_faces.h"
-
 #include "base/keep_marked.h"
 #include "base/sort_unique.h"
 #include "export/boundary/face_chart.h"
+#include "export/boundary/merge.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,9 +1,6 @@
-#include "export/faces/join.h"
-
 #include "base/at.h"
 #include "bspline/splines/clamped_patch.h"
-#include "export/faces/quarter_turn.h"
-#include "export/faces/separate.h"
+#include "export/faces/face_patches.h"
 #include "export/geometry/geometry.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
-#include "export/faces/quarter_turn.h"
-
 #include "base/at.h"
+#include "export/faces/face_patches.h"
 
 #include <cstddef>
 #include <set>

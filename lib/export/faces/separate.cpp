@@ -1,7 +1,6 @@
-#include "export/faces/separate.h"
-
 #include "base/at.h"
 #include "base/sort_unique.h"
+#include "export/faces/face_patches.h"
 #include "export/geometry/geometry.h"
 #include "layout/sides.h"
 

@@ -2,8 +2,7 @@
 
 #include "export/boundary/divided_edges.h"
 #include "export/boundary/face_order.h"
-#include "export/boundary/merge_edges.h"
-#include "export/boundary/merge_faces.h"
+#include "export/boundary/merge.h"
 #include "export/boundary/outline.h"
 
 #include <BRepCheck_Analyzer.hxx>

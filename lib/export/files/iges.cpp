@@ -1,6 +1,5 @@
 #include "base/error.h"
 #include "export/files/boundary_files.h"
-#include "export/files/length_unit_names.h"
 
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>

@@ -1,5 +1,4 @@
 #include "export/files/boundary_files.h"
-#include "export/files/length_unit_names.h"
 #include "export/files/step_geometry.h"
 
 #include <array>

@@ -1,10 +1,9 @@
-#include "mesh/triangles/orient_triangles.h"
-
 #include "base/at.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/positions.h"
 #include "mesh/orientation.h"
+#include "mesh/triangles/repair_triangles.h"
 #include "mesh/triangles/triangle_edges.h"
 
 #include <span>

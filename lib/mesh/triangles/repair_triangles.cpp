@@ -4,8 +4,6 @@
 #include "base/groups.h"
 #include "base/keep_marked.h"
 #include "base/positions.h"
-#include "mesh/triangles/orient_triangles.h"
-#include "mesh/triangles/separate_sheets.h"
 #include "mesh/triangles/triangle_edges.h"
 
 #include <algorithm>
@@ -103,9 +101,7 @@ TriangleRepair repairTriangles(Triangles& triangles) {
     TriangleRepair report;
     report.doubledTriangles = dropDoubled(triangles);
     report.turnedTriangles = orientTriangles(triangles);
-    const SeparatedSheets separated = separateSheets(triangles);
-    report.crowdedEdges = separated.edges;
-    report.touchingPoints = separated.points;
+    separateSheets(triangles, report);
     return report;
 }
 

@@ -1,8 +1,7 @@
-#include "mesh/triangles/separate_sheets.h"
-
 #include "base/at.h"
 #include "base/disjoint_sets.h"
 #include "mesh/solid_pairs.h"
+#include "mesh/triangles/repair_triangles.h"
 #include "mesh/triangles/triangle_edges.h"
 
 #include <span>
@@ -18,14 +17,14 @@ constexpr Side nextSide(Side side) {
 
 class Sheets {
 public:
-    explicit Sheets(Triangles& triangles) : triangles_(triangles), twins_(3 * triangles.faces.size(), none) {}
+    Sheets(Triangles& triangles, TriangleRepair& report)
+        : triangles_(triangles), report_(report), twins_(3 * triangles.faces.size(), none) {}
 
-    SeparatedSheets run() {
+    void run() {
         forEachEdge(triangles_, [&](std::span<const TriangleSide> edge) { pairSides(edge); });
         separatePoints();
-        while (crowded_ > 0 && divideSharedEdges()) {
+        while (report_.crowdedEdges > 0 && divideSharedEdges()) {
         }
-        return {crowded_, points_};
     }
 
 private:
@@ -46,7 +45,7 @@ private:
             return;
         }
         if (edge.size() < 2) return;
-        ++crowded_;
+        ++report_.crowdedEdges;
         if (edge.size() == 3)
             pairFlattest(edge);
         else
@@ -103,7 +102,7 @@ private:
             if (point == unseen) {
                 point = corner(side);
                 if (const int others = sheets[at(point)]++; others > 0) {
-                    if (others == 1) ++points_;
+                    if (others == 1) ++report_.touchingPoints;
                     triangles_.points.emplace_back(Point(triangles_.points[at(point)]));
                     point = static_cast<int>(triangles_.points.size()) - 1;
                 }
@@ -161,15 +160,14 @@ private:
     }
 
     Triangles& triangles_;
+    TriangleRepair& report_;
     std::vector<Side> twins_; ///< the other side of a pair
-    std::size_t crowded_ = 0;
-    std::size_t points_ = 0;
 };
 
 } // namespace
 
-SeparatedSheets separateSheets(Triangles& triangles) {
-    return Sheets(triangles).run();
+void separateSheets(Triangles& triangles, TriangleRepair& report) {
+    Sheets(triangles, report).run();
 }
 
 } // namespace qm

@@ -4,7 +4,7 @@
 #include "bspline/splines/clamped_patch.h"
 #include "bspline/splines/evaluate.h"
 #include "export/export.h"
-#include "export/faces/separate.h"
+#include "export/faces/face_patches.h"
 #include "export/files/shape.h"
 #include "mesh/bounding_box.h"
 #include "support/exported_shape.h"

@@ -1,4 +1,5 @@
-/// \file Merges neighbouring faces in one plane, cylinder or cone into one face of any outline.
+/// \file Merges neighbouring faces in one plane, cylinder or cone into one face of any outline
+/// (merge_faces.cpp), and edges that follow one another on one line, circle or ellipse (merge_edges.cpp).
 #pragma once
 
 #include "export/boundary/boundary.h"
@@ -19,5 +20,10 @@ enum class MergedSurface { plane, ruled };
 /// \return whether there were any
 bool mergeFaces(Boundary& boundary, FaceOrigins& origins, MergedSurface kind,
                 const std::vector<bool>& mayMerge);
+
+/// Two edges between the same faces become one where nothing else ends at their common vertex, if their
+/// curves are the same line, circle or ellipse, and that does not become a closed edge.
+/// \return whether there were any
+bool mergeEdges(Boundary& boundary);
 
 } // namespace qm
