@@ -41,6 +41,13 @@ std::uint32_t in32Bits(std::size_t number) {
     return static_cast<std::uint32_t>(number);
 }
 
+/// A part of an sRGB colour in proportion to the light, as glTF has the colours of vertices.
+std::uint8_t linear(std::uint8_t part) {
+    const double share = part / 255.0;
+    return static_cast<std::uint8_t>(
+        std::lround(255 * (share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4))));
+}
+
 /// The one buffer of the file, and the JSON text that explains it. Every segment has its own vertices, so
 /// that colours and normals end at its border.
 class Builder {
@@ -97,7 +104,7 @@ private:
                     high_[k] = std::max(high_[k], coordinate);
                     appendBytes(positions_, coordinate);
                     appendBytes(normals_, static_cast<float>(normal[k]));
-                    appendBytes(colours_, colour[k]);
+                    appendBytes(colours_, linear(colour[k]));
                 }
                 appendBytes(colours_, std::uint8_t{255});
             }

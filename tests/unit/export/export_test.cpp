@@ -382,6 +382,14 @@ TEST(Glb, IsWellFormed) {
     EXPECT_NE(text.find(R"("byteLength":)" + std::to_string(binary) + "}]"), std::string::npos);
 }
 
+TEST(Glb, ColoursAreLinear) {
+    const std::string bytes = exported(fitted(sheet(), tJoint(), {}), ExportFormat::glb);
+    const std::uint32_t json = numberAt<std::uint32_t>(bytes, 12);
+    constexpr std::size_t vertices = 11 * 4 + 7 * 6 + 5 * 6;
+    // The first colour is 242, 109, 109 in sRGB.
+    EXPECT_EQ(bytes.substr(20 + json + 8 + vertices * 24, 4), "\xe2\x27\x27\xff");
+}
+
 TEST(Glb, CoordinatesFarFromTheOriginBeginAtTheCentre) {
     Model model = fitted(sheet(), tJoint(), {});
     const auto positions = [&] {
