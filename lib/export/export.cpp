@@ -51,11 +51,9 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         FacePatches faces = facePatches(layout, surfaces.patches);
         if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
         faces = withMoreKnotsAlongV(separated(mesh, std::move(faces), knotTolerance * diagonal));
-        CheckedShape made =
-            checkedShape(mesh, faces, options.analytic ? options.analyticTolerance.length(diagonal) : 0);
-        if (options.join) made = merged(std::move(made));
-        made = withTwistedEdgesDivided(std::move(made));
-        if (options.analytic) made = withLooseEdgesDivided(std::move(made));
+        std::optional<double> simplify;
+        if (options.analytic) simplify = options.analyticTolerance.length(diagonal);
+        const CheckedShape made = checkedShape(mesh, faces, simplify, options.join);
         Exported result{options.format == ExportFormat::step
                             ? boundaryAsStep(made.boundary, made.origins, options)
                             : shapeAsIges(made.shape, made.origins, options),

@@ -9,6 +9,7 @@
 #include "export/simple/curve_on_surface.h"
 #include "mesh/bounding_box.h"
 
+#include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <algorithm>
 #include <utility>
@@ -37,7 +38,7 @@ public:
         : mesh_(mesh), layout_(faces.layout), patches_(faces.patches), resolution_(resolution(mesh)),
           flatness_(std::max(resolution_ / 2, planeTolerance * boundingBox(mesh).diagonal())),
           shared_(shareEdges(mesh, faces.layout, faces.patches)),
-          simple_(faces, shared_, {flatness_, resolution_, simplify}), borders_(faces.patches.size()) {
+          simple_(faces, shared_, {flatness_, resolution_, simplify}) {
         simple_.moveVertices(shared_);
     }
 
@@ -63,13 +64,6 @@ private:
         }
     }
 
-    /// Made once, as one side may be many edges.
-    const SplineCurve& border(std::size_t patch, int side) {
-        SplineCurve& curve = borders_[patch][at(side)];
-        if (curve.points.empty()) curve = borderCurve(patches_[patch], side);
-        return curve;
-    }
-
     /// An edge in the parameter plane of a patch that uses it; it runs in the edge's own direction.
     [[nodiscard]] Handle(Geom2d_BSplineCurve) inPlane(const SharedEdge& edge, std::size_t use) const {
         const BorderPlace& at = edge.places[use];
@@ -83,8 +77,8 @@ private:
     void makeEdge(const SharedEdge& edge) {
         const BorderPlace& at = edge.places.front();
         BoundaryEdge& made = result_.edges.emplace_back();
-        const Handle(Geom_BSplineCurve) known =
-            splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
+        const Handle(Geom_BSplineCurve) known = splineCurve(
+            restricted(borderCurve(patches_[at.patch], at.side), at.position, at.position + edge.length));
         made.curve = simple_.exactCurve(edge, shared_, known)
                          .value_or(wholeCurve(simple_.movedBorder(edge, shared_, known)));
         result_.largestGap = std::max(result_.largestGap, edge.gap);
@@ -146,7 +140,6 @@ private:
     double flatness_;
     SharedEdges shared_;
     SimpleFaces simple_;
-    std::vector<std::array<SplineCurve, 4>> borders_; ///< of the sides; empty until they are needed
     Boundary result_;
 };
 
@@ -193,6 +186,12 @@ void dropUnused(Boundary& boundary) {
     for (BoundaryEdge& edge : boundary.edges)
         for (std::size_t& end : edge.ends)
             end = vertexNumbers[end];
+}
+
+gp_Pnt2d parametersAt(const BoundaryFace& face, const BoundaryEdge& edge, const EdgeUse& use,
+                      double parameter) {
+    if (const auto& curve = edge.onFaces.at(use.side()); !curve.IsNull()) return curve->Value(parameter);
+    return parametersAt(Handle(Geom_Plane)::DownCast(face.surface), edge.curve.at(parameter));
 }
 
 std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {

@@ -6,11 +6,6 @@
 #include <numbers>
 
 namespace qm {
-namespace {
-
-constexpr int samples = 4; ///< in every knot interval
-
-} // namespace
 
 std::optional<gp_Dir> normalAt(const EdgeSide& side, double parameter) {
     std::optional<gp_Dir> normal;
@@ -27,6 +22,7 @@ std::optional<gp_Dir> normalAt(const EdgeSide& side, double parameter) {
 }
 
 double largestAngle(const CurvePiece& curve, const std::array<EdgeSide, 2>& sides, double fromEnds) {
+    constexpr int samples = 4; // in every knot interval
     double largest = 0;
     const double margin = fromEnds * (curve.last - curve.first);
     for (const double t : parametersOf(curve, samples)) {

@@ -1,9 +1,7 @@
 #include "export/boundary/divided_edges.h"
-#include "export/simple/curve_on_surface.h"
 
 #include <boost/math/tools/minima.hpp>
 
-#include <Geom_ElementarySurface.hxx>
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -17,18 +15,14 @@ class Looseness {
 public:
     explicit Looseness(const BoundaryEdge& edge) : edge_(edge) {}
 
-    void add(const Handle(Geom_Surface) & surface, std::size_t side) {
-        surfaces_.emplace_back(surface, edge_.onFaces.at(side));
-    }
+    void add(const BoundaryFace& face, const EdgeUse& use) { uses_.emplace_back(&face, use); }
 
     [[nodiscard]] double at(double parameter) const {
         const gp_Pnt point = edge_.curve.at(parameter);
         double distance = 0;
-        for (const auto& [surface, curve] : surfaces_) {
-            const gp_Pnt2d on = curve.IsNull()
-                                    ? parametersAt(Handle(Geom_ElementarySurface)::DownCast(surface), point)
-                                    : curve->Value(parameter);
-            distance = std::max(distance, point.Distance(surface->Value(on.X(), on.Y())));
+        for (const auto& [face, use] : uses_) {
+            const gp_Pnt2d on = parametersAt(*face, edge_, use, parameter);
+            distance = std::max(distance, point.Distance(face->surface->Value(on.X(), on.Y())));
         }
         return distance;
     }
@@ -67,7 +61,7 @@ private:
     }
 
     const BoundaryEdge& edge_;
-    std::vector<std::pair<Handle(Geom_Surface), Handle(Geom2d_BSplineCurve)>> surfaces_;
+    std::vector<std::pair<const BoundaryFace*, EdgeUse>> uses_;
 };
 
 /// Where to divide an edge, if that is worth while.
@@ -85,7 +79,7 @@ std::optional<double> division(const BoundaryEdge& edge, const Looseness& loosen
 std::vector<std::optional<double>> divisionsOf(const Boundary& boundary) {
     std::vector<Looseness> looseness(boundary.edges.begin(), boundary.edges.end());
     forEachUse(boundary, [&](std::size_t face, const EdgeUse& use) {
-        looseness[use.edge].add(boundary.faces[face].surface, use.side());
+        looseness[use.edge].add(boundary.faces[face], use);
     });
     std::vector<std::optional<double>> divisions;
     for (std::size_t e = 0; e < boundary.edges.size(); ++e)

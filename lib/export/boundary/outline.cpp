@@ -1,7 +1,6 @@
 #include "export/boundary/outline.h"
 
 #include "base/sort_unique.h"
-#include "export/simple/curve_on_surface.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>
@@ -10,7 +9,6 @@
 #include <boost/geometry/geometries/ring.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
-#include <Geom_Plane.hxx>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -25,22 +23,14 @@ using Ring = boost::geometry::model::ring<PlanePoint>;
 using Line = boost::geometry::model::linestring<PlanePoint>;
 using Box = boost::geometry::model::box<PlanePoint>;
 
-/// In the parameter plane.
-PlanePoint onFace(const BoundaryFace& face, const BoundaryEdge& edge, const EdgeUse& use, double parameter) {
-    if (const auto plane = Handle(Geom_Plane)::DownCast(face.surface); !plane.IsNull()) {
-        const gp_Pnt2d at = parametersAt(plane, edge.curve.at(parameter));
-        return {at.X(), at.Y()};
-    }
-    const gp_Pnt2d at = edge.onFaces.at(use.side())->Value(parameter);
-    return {at.X(), at.Y()};
-}
-
-/// Points along an edge as the loop uses it.
+/// Points along an edge as the loop uses it, in the parameter plane.
 Ring curveOn(const BoundaryFace& face, const BoundaryEdge& edge, const EdgeUse& use) {
     constexpr int steps = 8; // in every interval of a curve
     Ring points;
-    for (const double parameter : parametersOf(edge.curve, steps))
-        points.push_back(onFace(face, edge, use, parameter));
+    for (const double parameter : parametersOf(edge.curve, steps)) {
+        const gp_Pnt2d at = parametersAt(face, edge, use, parameter);
+        points.emplace_back(at.X(), at.Y());
+    }
     if (!use.forwards) std::ranges::reverse(points);
     return points;
 }

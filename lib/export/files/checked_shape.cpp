@@ -86,21 +86,16 @@ CheckedShape withMergedFaces(const CheckedShape& shape, MergedSurface kind) {
 }
 
 /// The same with edges changed, if OpenCASCADE takes that.
-/// \param change  called with the boundary; whether it has changed anything
-template <class Change> CheckedShape withEdges(CheckedShape shape, const Change& change) {
+/// \param change  whether it has changed anything
+CheckedShape withEdges(CheckedShape shape, bool (*change)(Boundary&)) {
     Boundary boundary = shape.boundary;
     if (!change(boundary)) return shape;
     CheckedShape made = checked(std::move(boundary), shape.origins);
     return made.isSound() || !shape.isSound() ? made : shape;
 }
 
-} // namespace
-
-bool CheckedShape::isSound() const {
-    return isValid && std::ranges::find(isFaceSound, false) == isFaceSound.end();
-}
-
-CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
+/// With as many simple surfaces as OpenCASCADE takes.
+CheckedShape simplified(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
     std::vector<double> simplifyFace(faces.patches.size(), simplify);
     while (true) {
         CheckedShape made = checked(makeBoundary(mesh, faces, simplifyFace), faces.origins);
@@ -115,18 +110,22 @@ CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double
     }
 }
 
-CheckedShape withLooseEdgesDivided(CheckedShape shape) {
-    return withEdges(std::move(shape), divideLooseEdges);
+} // namespace
+
+bool CheckedShape::isSound() const {
+    return isValid && std::ranges::find(isFaceSound, false) == isFaceSound.end();
 }
 
-CheckedShape withTwistedEdgesDivided(CheckedShape shape) {
-    return withEdges(std::move(shape), divideTwistedEdges);
-}
-
-CheckedShape merged(CheckedShape shape) {
-    for (const MergedSurface kind : {MergedSurface::plane, MergedSurface::ruled})
-        shape = withMergedFaces(shape, kind);
-    return withEdges(std::move(shape), mergeEdges);
+CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, std::optional<double> simplify,
+                          bool join) {
+    CheckedShape made = simplified(mesh, faces, simplify.value_or(0));
+    if (join) {
+        for (const MergedSurface kind : {MergedSurface::plane, MergedSurface::ruled})
+            made = withMergedFaces(made, kind);
+        made = withEdges(std::move(made), mergeEdges);
+    }
+    made = withEdges(std::move(made), divideTwistedEdges);
+    return simplify ? withEdges(std::move(made), divideLooseEdges) : made;
 }
 
 } // namespace qm

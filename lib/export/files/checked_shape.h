@@ -5,6 +5,7 @@
 #include "export/faces/face_patches.h"
 #include "export/files/shape.h"
 
+#include <optional>
 #include <vector>
 
 namespace qm {
@@ -20,20 +21,14 @@ struct CheckedShape {
     [[nodiscard]] bool isSound() const;
 };
 
-/// A simple surface is given up where its borders do not allow it.
-/// \param simplify  largest distance between a patch and the simple surface that replaces it; 0 allows only
-/// exact planes
-[[nodiscard]] CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify);
-
-/// The same with one face for every plane, cylinder and cone, and one edge for what is one line, circle or
-/// ellipse, as far as OpenCASCADE takes that.
-[[nodiscard]] CheckedShape merged(CheckedShape shape);
-
-/// The same with edges divided where they are farthest from simple surfaces (divided_edges.h), if OpenCASCADE
-/// takes that.
-[[nodiscard]] CheckedShape withLooseEdgesDivided(CheckedShape shape);
-
-/// The same with edges divided along which faces twist (divided_edges.h), if OpenCASCADE takes that.
-[[nodiscard]] CheckedShape withTwistedEdgesDivided(CheckedShape shape);
+/// Gives a simple surface up where its borders do not allow it, and leaves faces and edges apart where
+/// OpenCASCADE does not take them as one. In the end, edges are divided (divided_edges.h), if it takes that:
+/// those along which faces twist, and with `simplify` those that are off simple surfaces.
+/// \param simplify  largest distance between a patch and the simple surface that replaces it; if nothing, only
+/// exact planes do
+/// \param join      makes one face for every plane, cylinder and cone, and one edge for what is one line,
+/// circle or ellipse
+[[nodiscard]] CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces,
+                                        std::optional<double> simplify, bool join);
 
 } // namespace qm

@@ -85,7 +85,7 @@ void thin(OrientedPoints& samples) {
 }
 
 /// Whether the shape of a region is meant; and notes how well it fits.
-bool isSaying(ShapeRegion& region) {
+bool isMeaningful(ShapeRegion& region) {
     region.looseness = farthest(region.shape, region.cloud.samples) * region.cloud.size;
     return region.isExact || isMeant(region.shape, region.cloud.samples);
 }
@@ -115,7 +115,7 @@ std::vector<ShapeRegion> wholeComponents(const ShapePatches& patches) {
         for (const auto& [kind, weight] : kinds) {
             ShapeRegion region = component;
             region.shape.kind = kind;
-            if (fitAnew(region) && isSaying(region)) result.push_back(std::move(region));
+            if (fitAnew(region) && isMeaningful(region)) result.push_back(std::move(region));
         }
     }
     return result;
@@ -134,7 +134,7 @@ public:
             auto region = started(seed);
             if (!region) continue;
             grow(*region);
-            if (isSaying(*region)) result.push_back(std::move(*region));
+            if (isMeaningful(*region)) result.push_back(std::move(*region));
         }
         return result;
     }
