@@ -102,15 +102,10 @@ private:
         made.isSmooth = !made.isOpen && edge.angle < smoothAngle;
         const auto isSimple = [&](const BorderPlace& place) { return simple_[place.patch].has_value(); };
         if (!made.isSmooth || !simple_.isAnalytic() || std::ranges::none_of(edge.places, isSimple)) return;
-        made.newAngle = largestAngle(made.curve, {sideOf(edge, made, 0), sideOf(edge, made, 1)},
-                                     fromEdgeEnds / edge.length);
+        made.newAngle =
+            largestAngle(made, {&result_.faces[edge.places[0].patch], &result_.faces[edge.places[1].patch]},
+                         fromEdgeEnds / edge.length);
         made.isSmooth = made.newAngle < smoothAngle;
-    }
-
-    /// A face as one side of an edge.
-    [[nodiscard]] EdgeSide sideOf(const SharedEdge& edge, const BoundaryEdge& made, std::size_t use) const {
-        const BoundaryFace& face = result_.faces[edge.places[use].patch];
-        return {face.surface, face.reversed, made.onFaces.at(use)};
     }
 
     /// When all edges are known: their tolerances reach to where they end.
@@ -188,9 +183,9 @@ void dropUnused(Boundary& boundary) {
             end = vertexNumbers[end];
 }
 
-gp_Pnt2d parametersAt(const BoundaryFace& face, const BoundaryEdge& edge, const EdgeUse& use,
+gp_Pnt2d parametersAt(const BoundaryFace& face, const BoundaryEdge& edge, std::size_t side,
                       double parameter) {
-    if (const auto& curve = edge.onFaces.at(use.side()); !curve.IsNull()) return curve->Value(parameter);
+    if (const auto& curve = edge.onFaces.at(side); !curve.IsNull()) return curve->Value(parameter);
     return parametersAt(Handle(Geom_Plane)::DownCast(face.surface), edge.curve.at(parameter));
 }
 

@@ -62,9 +62,9 @@ template <class Function> void forEachUse(const Boundary& boundary, const Functi
 /// The tolerance that covers a gap which was sampled.
 [[nodiscard]] double toleranceOf(double gap, double resolution);
 
-/// Where an edge is on a face that uses it, in the parameter plane of the face.
+/// Where an edge is on the face on one of its sides, in the parameter plane of the face.
 /// \param parameter  of the edge
-[[nodiscard]] gp_Pnt2d parametersAt(const BoundaryFace& face, const BoundaryEdge& edge, const EdgeUse& use,
+[[nodiscard]] gp_Pnt2d parametersAt(const BoundaryFace& face, const BoundaryEdge& edge, std::size_t side,
                                     double parameter);
 
 /// The length of the curve's control polygon: the edge is no longer.

@@ -15,13 +15,13 @@ class Looseness {
 public:
     explicit Looseness(const BoundaryEdge& edge) : edge_(edge) {}
 
-    void add(const BoundaryFace& face, const EdgeUse& use) { uses_.emplace_back(&face, use); }
+    void add(const BoundaryFace& face, std::size_t side) { faces_.emplace_back(&face, side); }
 
     [[nodiscard]] double at(double parameter) const {
         const gp_Pnt point = edge_.curve.at(parameter);
         double distance = 0;
-        for (const auto& [face, use] : uses_) {
-            const gp_Pnt2d on = parametersAt(*face, edge_, use, parameter);
+        for (const auto& [face, side] : faces_) {
+            const gp_Pnt2d on = parametersAt(*face, edge_, side, parameter);
             distance = std::max(distance, point.Distance(face->surface->Value(on.X(), on.Y())));
         }
         return distance;
@@ -61,7 +61,7 @@ private:
     }
 
     const BoundaryEdge& edge_;
-    std::vector<std::pair<const BoundaryFace*, EdgeUse>> uses_;
+    std::vector<std::pair<const BoundaryFace*, std::size_t>> faces_; ///< with their sides
 };
 
 /// Where to divide an edge, if that is worth while.
@@ -79,7 +79,7 @@ std::optional<double> division(const BoundaryEdge& edge, const Looseness& loosen
 std::vector<std::optional<double>> divisionsOf(const Boundary& boundary) {
     std::vector<Looseness> looseness(boundary.edges.begin(), boundary.edges.end());
     forEachUse(boundary, [&](std::size_t face, const EdgeUse& use) {
-        looseness[use.edge].add(boundary.faces[face], use);
+        looseness[use.edge].add(boundary.faces[face], use.side());
     });
     std::vector<std::optional<double>> divisions;
     for (std::size_t e = 0; e < boundary.edges.size(); ++e)

@@ -28,7 +28,7 @@ Ring curveOn(const BoundaryFace& face, const BoundaryEdge& edge, const EdgeUse& 
     constexpr int steps = 8; // in every interval of a curve
     Ring points;
     for (const double parameter : parametersOf(edge.curve, steps)) {
-        const gp_Pnt2d at = parametersAt(face, edge, use, parameter);
+        const gp_Pnt2d at = parametersAt(face, edge, use.side(), parameter);
         points.emplace_back(at.X(), at.Y());
     }
     if (!use.forwards) std::ranges::reverse(points);

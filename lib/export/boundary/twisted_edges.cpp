@@ -25,11 +25,12 @@ double spread(const std::vector<gp_Dir>& directions) {
 }
 
 /// Whether a face's normal turns much farther along an edge than the edge does.
-bool isTwisted(const CurvePiece& curve, const EdgeSide& side) {
+bool isTwisted(const BoundaryFace& face, const BoundaryEdge& edge, std::size_t side) {
+    const CurvePiece& curve = edge.curve;
     std::vector<gp_Dir> normals, tangents;
     for (int k = 0; k <= samples; ++k) {
         const double parameter = curve.first + (curve.last - curve.first) * k / samples;
-        if (const auto normal = normalAt(side, parameter)) normals.push_back(*normal);
+        if (const auto normal = normalAt(face, edge, side, parameter)) normals.push_back(*normal);
         gp_Pnt point;
         gp_Vec tangent;
         curve.curve->D1(parameter, point, tangent);
@@ -48,7 +49,7 @@ bool divideTwistedEdges(Boundary& boundary) {
             const BoundaryFace& face = boundary.faces[f];
             const BoundaryEdge& edge = boundary.edges[use.edge];
             if (face.isSimple || divisions[use.edge]) return;
-            if (isTwisted(edge.curve, {face.surface, face.reversed, edge.onFaces.at(use.side())}))
+            if (isTwisted(face, edge, use.side()))
                 divisions[use.edge] = (edge.curve.first + edge.curve.last) / 2;
         });
         return divideEdges(boundary, divisions);
