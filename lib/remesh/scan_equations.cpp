@@ -54,7 +54,8 @@ public:
         const auto corners = quads_.corners(foot->face);
         const std::optional<Point> own = triangleNormal(corners);
         const auto weights = weightsOf(corners, foot->position);
-        if (!own || !weights || !agree(*own, sample.normal)) return equation;
+        const bool agree = own && (*own | sample.normal) > minCosine * own->norm() * sample.normal.norm();
+        if (!agree || !weights) return equation;
         const auto& vertices = halves_.faces[foot->face];
         equation.vertices = {vertices[0], vertices[1], vertices[2], vertices[0]};
         equation.weights = {(*weights)[0], (*weights)[1], (*weights)[2], 0};
@@ -64,8 +65,6 @@ public:
 
 private:
     [[nodiscard]] const Point& pointOf(int vertex) const { return mesh_.point(VertexId(vertex)); }
-
-    static bool agree(const Point& a, const Point& b) { return (a | b) > minCosine * a.norm() * b.norm(); }
 
     void require(ScanEquation& equation, const Point& gap, const Point& normal, bool straight,
                  double area) const {

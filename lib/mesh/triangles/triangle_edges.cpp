@@ -36,16 +36,14 @@ BoundarySides boundarySides(const Triangles& triangles) {
 }
 
 std::size_t boundaryLoopCount(const Triangles& triangles) {
-    DisjointSets sets(triangles.points.size());
-    std::vector<bool> isOnBoundary(triangles.points.size(), false);
-    forEachEdge(triangles, [&](std::span<const TriangleSide> edge) {
-        if (edge.size() != 1) return;
-        sets.join(at(edge[0].low), at(edge[0].high));
-        isOnBoundary[at(edge[0].low)] = isOnBoundary[at(edge[0].high)] = true;
-    });
+    const auto [sides, points] = boundarySides(triangles);
+    DisjointSets sets(points.size());
+    for (std::size_t side = 0; side < sides.size(); ++side)
+        if (const auto& face = triangles.faces[side / 3]; sides[side])
+            sets.join(at(face[side % 3]), at(face[(side + 1) % 3]));
     std::size_t loops = 0;
-    for (std::size_t k = 0; k < isOnBoundary.size(); ++k)
-        if (isOnBoundary[k] && sets.find(k) == k) ++loops;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (points[k] && sets.find(k) == k) ++loops;
     return loops;
 }
 
