@@ -135,16 +135,16 @@ fake_blender() {
     cp told.obj sound.obj
     awk '{ print } /^f / && ++n == 1 { print }' scan.obj >twice.obj
     run -0 --separate-stderr qm-remesh twice.obj -o part.obj
-    assert_equal "$stderr" 'qm-remesh: twice.obj: 1 doubled triangles removed'
+    assert_equal "$stderr" 'qm-remesh: twice.obj: 1 doubled triangle removed'
     assert_same_bytes told.obj sound.obj
     awk '/^f / && ++n == 7 { print "f", $2, $4, $3; next } { print }' scan.obj >turned.obj
     run -0 --separate-stderr qm-remesh turned.obj -o part.obj
-    assert_equal "$stderr" 'qm-remesh: turned.obj: 1 triangles turned over'
+    assert_equal "$stderr" 'qm-remesh: turned.obj: 1 triangle turned over'
     assert_same_bytes told.obj sound.obj
     # A fourth and a third side at an edge: a fin.
     awk '/^v / { ++n } /^f / && !done++ { print "v 9 9 9"; print "f", $3, $2, n + 1 } { print }' scan.obj >fin.obj
     run -0 --separate-stderr qm-remesh fin.obj -o part.obj
-    assert_regex "$stderr" '1 edges of more than two triangles taken apart, 2 points where the surface touched itself split'
+    assert_regex "$stderr" '1 edge of more than two triangles taken apart, 2 points where the surface touched itself split'
 }
 
 @test "a scan that has one side only is refused with the place" {

@@ -209,7 +209,7 @@ END
     assert_regex "$stderr" 'vertex 2 \(line 3\): the faces around it fall into several fans.* --repair splits'
     run --separate-stderr qm-basecomplex --repair fans.obj -o fans.json
     assert_success
-    assert_regex "$stderr" '1 vertices split\. The mesh is now fans.repaired.obj'
+    assert_regex "$stderr" '1 vertex split\. The mesh is now fans.repaired.obj'
     assert_equal "$(field .mesh.vertices fans.json)" 8
 }
 

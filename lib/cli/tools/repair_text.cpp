@@ -3,36 +3,41 @@
 #include "base/joined.h"
 
 #include <initializer_list>
-#include <utility>
 #include <vector>
 
 namespace qm {
 namespace {
 
-using Count = std::pair<std::size_t, const char*>;
+struct Count {
+    std::size_t count;
+    const char* one;
+    const char* several;
+};
 
 std::string listOf(std::initializer_list<Count> counts) {
     std::vector<std::string> texts;
-    for (const auto& [count, what] : counts)
-        if (count > 0) texts.push_back(std::to_string(count) + " " + what);
+    for (const auto& [count, one, several] : counts)
+        if (count > 0) texts.push_back(std::to_string(count) + " " + (count == 1 ? one : several));
     return joined(texts);
 }
 
 } // namespace
 
 std::string repairText(const RepairReport& report) {
-    return listOf({{report.weldedVertices, "vertices welded"},
-                   {report.degenerateFaces, "degenerate faces removed"},
-                   {report.duplicateFaces, "duplicate faces removed"},
-                   {report.flippedFaces, "faces turned over"},
-                   {report.splitVertices, "vertices split"}});
+    return listOf({{report.weldedVertices, "vertex welded", "vertices welded"},
+                   {report.degenerateFaces, "degenerate face removed", "degenerate faces removed"},
+                   {report.duplicateFaces, "duplicate face removed", "duplicate faces removed"},
+                   {report.flippedFaces, "face turned over", "faces turned over"},
+                   {report.splitVertices, "vertex split", "vertices split"}});
 }
 
 std::string repairText(const TriangleRepair& report) {
-    return listOf({{report.doubledTriangles, "doubled triangles removed"},
-                   {report.turnedTriangles, "triangles turned over"},
-                   {report.crowdedEdges, "edges of more than two triangles taken apart"},
-                   {report.touchingPoints, "points where the surface touched itself split"}});
+    return listOf({{report.doubledTriangles, "doubled triangle removed", "doubled triangles removed"},
+                   {report.turnedTriangles, "triangle turned over", "triangles turned over"},
+                   {report.crowdedEdges, "edge of more than two triangles taken apart",
+                    "edges of more than two triangles taken apart"},
+                   {report.touchingPoints, "point where the surface touched itself split",
+                    "points where the surface touched itself split"}});
 }
 
 } // namespace qm

@@ -8,7 +8,7 @@
 
 namespace qm {
 
-/// "2 vertices welded, 1 faces turned over".
+/// "2 vertices welded, 1 face turned over".
 /// \return nothing where nothing was done
 [[nodiscard]] std::string repairText(const RepairReport& report);
 [[nodiscard]] std::string repairText(const TriangleRepair& report);

@@ -36,8 +36,9 @@ std::string igesDate(std::string date) {
     return date;
 }
 
-/// IGES knows no other letters.
+/// IGES knows no other letters. Of the bytes of a letter in UTF-8, all but the first begin with bits 10.
 std::string asciiName(std::string name) {
+    std::erase_if(name, [](char letter) { return (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U; });
     std::ranges::replace_if(
         name, [](char letter) { return letter < ' ' || letter > '~'; }, '_');
     return name;

@@ -264,6 +264,13 @@ TEST(Step, IsTheSameEveryTime) {
     EXPECT_EQ(exported(model, ExportFormat::iges), exported(model, ExportFormat::iges));
 }
 
+TEST(Iges, WritesAnUnderscoreForEveryForeignLetter) {
+    ExportOptions options;
+    options.name = "pi\u00e8ce \u96f6\u4ef6";
+    const std::string text = exported(fitted(sheet(), tJoint(), {}), ExportFormat::iges, options);
+    EXPECT_NE(text.find("8Hpi_ce __,"), std::string::npos) << text.substr(0, 400);
+}
+
 TEST(Iges, IsReadBackWithAllFaces) {
     const Model model = fitted(sheet(), tJoint(), FitOptions());
     const std::string text = exported(model, ExportFormat::iges);
