@@ -333,7 +333,7 @@ fails_with() {
     mkdir result
     run --separate-stderr quadmesh --repair twice.obj -o result/twice.json
     assert_success
-    assert_regex "$stderr" 'duplicate faces removed'
+    assert_regex "$stderr" 'duplicate face removed'
     # Nobody is sent to a mesh that is gone, but told of one that is kept.
     refute_regex "$stderr" 'mesh is now'
     run --separate-stderr quadmesh --repair twice.obj --keep kept
