@@ -12,8 +12,7 @@ struct TriangleRepair {
     std::size_t doubledTriangles = 0; ///< triangles dropped because others have the same points
     std::size_t turnedTriangles = 0;  ///< triangles whose orientation was reversed
     std::size_t crowdedEdges = 0;     ///< edges at which more than two triangles met
-    std::size_t touchingPoints =
-        0; ///< points in which sheets of the surface touched, those of such edges among them
+    std::size_t touchingPoints = 0;   ///< points in which sheets touched, also those of such edges
 
     friend bool operator==(const TriangleRepair&, const TriangleRepair&) = default;
 };
