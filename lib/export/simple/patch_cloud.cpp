@@ -21,7 +21,7 @@ constexpr int samplesPerInterval = 4;
 
 /// At both ends of every knot interval and between; at most `max` parameters, evenly, the ends among them.
 std::vector<double> parameters(const std::vector<double>& knots, std::size_t max) {
-    const std::vector<double> values = steppedKnots(knots, samplesPerInterval);
+    std::vector<double> values = steppedKnots(knots, samplesPerInterval);
     if (values.size() <= max) return values;
     std::vector<double> result;
     for (std::size_t k = 0; k < max; ++k)
