@@ -16,21 +16,31 @@ Point intoQuad(const Soup& soup, Side side) {
     return middle(nextSide(nextSide(side))) - middle(side);
 }
 
-/// Pairs the quads at edges of more than two, where as many run along the edge one way as the other.
-/// \param turned  by edge: whether pairs bound what is outside of the surface, not what is inside
-/// \return the vertices of all other such edges
-std::vector<bool> pairCrowded(const Soup& soup, const SoupEdges& edges, const std::vector<bool>& turned,
+/// An edge of more than two quads.
+struct CrowdedEdge {
+    std::span<const Side> sides;
+    bool isTurned = false; ///< whether pairs bound what is outside of the surface, not what is inside
+};
+
+std::vector<CrowdedEdge> crowdedEdges(const SoupEdges& edges) {
+    std::vector<CrowdedEdge> crowded;
+    for (std::size_t k = 0; k < edges.count(); ++k)
+        if (edges.edge(k).size() > 2) crowded.push_back({edges.edge(k)});
+    return crowded;
+}
+
+/// Pairs the quads at crowded edges, where as many run along the edge one way as the other.
+/// \return the vertices of all other crowded edges
+std::vector<bool> pairCrowded(const Soup& soup, const std::vector<CrowdedEdge>& edges,
                               std::vector<Side>& twins) {
-    std::vector<bool> crowded(soup.points.size(), false);
-    for (std::size_t k = 0; k < edges.count(); ++k) {
-        const auto sides = edges.edge(k);
-        if (sides.size() <= 2) continue;
+    std::vector<bool> unpaired(soup.points.size(), false);
+    for (const auto& [sides, isTurned] : edges) {
         const std::int64_t from = sideFrom(soup, sides[0]), to = sideTo(soup, sides[0]);
         std::vector<FaceAtEdge> faces;
         for (const Side side : sides)
-            faces.push_back({side, (sideFrom(soup, side) == from) != turned[k], intoQuad(soup, side)});
+            faces.push_back({side, (sideFrom(soup, side) == from) != isTurned, intoQuad(soup, side)});
         if (2 * std::ranges::count(faces, true, &FaceAtEdge::ascends) != std::ssize(faces)) {
-            crowded[at(from)] = crowded[at(to)] = true;
+            unpaired[at(from)] = unpaired[at(to)] = true;
             continue;
         }
         for (const auto& [one, other] :
@@ -39,12 +49,11 @@ std::vector<bool> pairCrowded(const Soup& soup, const SoupEdges& edges, const st
             twins[other] = one;
         }
     }
-    return crowded;
+    return unpaired;
 }
 
-/// Turns the edges of more than two quads at which pairs would still share both ends.
-void turnShared(const Soup& soup, const SoupEdges& edges, const std::vector<Side>& twins,
-                std::vector<bool>& turned) {
+/// Turns the crowded edges at which pairs would still share both ends.
+void turnShared(const Soup& soup, const std::vector<Side>& twins, std::vector<CrowdedEdge>& edges) {
     std::vector<std::size_t> fanOf(twins.size());
     std::size_t fans = 0;
     forEachFan(twins, [&](std::span<const Side> corners) {
@@ -52,15 +61,13 @@ void turnShared(const Soup& soup, const SoupEdges& edges, const std::vector<Side
             fanOf[corner] = fans;
         ++fans;
     });
-    for (std::size_t k = 0; k < edges.count(); ++k) {
-        const auto sides = edges.edge(k);
-        if (sides.size() <= 2) continue;
+    for (auto& [sides, isTurned] : edges) {
         std::vector<std::pair<std::size_t, std::size_t>> ends;
         for (const Side side : sides)
             if (sideFrom(soup, side) == sideFrom(soup, sides[0]))
                 ends.emplace_back(fanOf[side], fanOf[nextSide(side)]);
         std::ranges::sort(ends);
-        turned[k] = std::ranges::adjacent_find(ends) != ends.end();
+        isTurned = std::ranges::adjacent_find(ends) != ends.end();
     }
 }
 
@@ -97,16 +104,18 @@ void forEachFan(const std::vector<Side>& twins, const std::function<void(std::sp
 std::size_t splitFans(Soup& soup) {
     const SoupEdges edges = findEdges(soup);
     std::vector<Side> twins = twinSides(soup, edges);
-    std::vector<bool> turned(edges.count(), false);
-    (void)pairCrowded(soup, edges, turned, twins);
-    turnShared(soup, edges, twins, turned);
-    const std::vector<bool> crowded = pairCrowded(soup, edges, turned, twins);
+    std::vector<CrowdedEdge> crowded = crowdedEdges(edges);
+    std::vector<bool> unpaired = pairCrowded(soup, crowded, twins);
+    if (!crowded.empty()) {
+        turnShared(soup, twins, crowded);
+        unpaired = pairCrowded(soup, crowded, twins);
+    }
     enum class Fans : char { none, one, several };
     std::vector<Fans> fans(soup.points.size(), Fans::none);
     std::size_t count = 0;
     forEachFan(twins, [&](std::span<const Side> corners) {
         const std::size_t vertex = at(soup.corners[corners.front()]);
-        if (crowded[vertex]) return;
+        if (unpaired[vertex]) return;
         if (fans[vertex] == Fans::none) {
             fans[vertex] = Fans::one;
             return;
