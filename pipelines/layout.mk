@@ -23,7 +23,8 @@ OPTIONS_FILE ?= layout.options.mk
 
 MESH_PATH ?= .#     folders to look for part.obj, part.off, part.ply or part.stl in
 OUT       ?= out#   folder of the documents
-# Meshes of triangles: about so many quads are made of each. For one model alone: QUADS.part = 5000
+# Meshes of triangles: about so many quads are made of each; other meshes that are not all quads: the word subdivide.
+# For one model alone: QUADS.part = 5000
 QUADS     ?=
 # Options of the stages. For one model alone: CUT_OPTIONS.part = --chi 20
 QUADS_OPTIONS       ?=
@@ -88,8 +89,9 @@ list_unmet = find $(OUT)/.stages -name '*.unmet' ! -name '*.summary.json.unmet' 
 own     = $(if $(filter undefined,$(flavor $(1).$(2))),$($(1)),$($(1).$(2)))
 options = $(strip $(call own,$(1)_OPTIONS,$(2)) $(and $(call own,QUADS,$(2)),$(call of_scan.$(1),$(2))))
 # A mesh of triangles is what quads are made of, and what the surfaces are fitted to.
-of_scan.QUADS    = --quads $(call own,QUADS,$(1))
-of_scan.SURFACES = --reference $(call mesh_of,$(1))
+subdivided       = $(filter subdivide,$(call own,QUADS,$(1)))
+of_scan.QUADS    = $(if $(subdivided),--subdivide,--quads $(call own,QUADS,$(1)))
+of_scan.SURFACES = $(if $(subdivided),,--reference $(call mesh_of,$(1)))
 mesh_of = $(or $(mesh_of.$(1)),$(1).stl)
 $(foreach mesh,$(meshes),$(eval mesh_of.$(basename $(notdir $(mesh))) := $(mesh)))
 

@@ -1,17 +1,20 @@
-/// \file qm-remesh: makes quads from the triangles of a scan, by QuadriFlow as included in Blender.
+/// \file qm-remesh: makes quads from the triangles of a scan, by QuadriFlow as included in Blender, or of any
+/// polygons, by subdivision.
 #include "cli/tool.h"
-#include "cli/tools/quadriflow.h"
-#include "cli/tools/remesh_messages.h"
-#include "cli/tools/repair_text.h"
-#include "mesh/files/read_triangles.h"
-#include "mesh/files/write_soup.h"
+#include "cli/tools/remesh_input.h"
+#include "cli/tools/subdivision.h"
+#include "mesh/dihedral.h"
+
+#include <numbers>
 
 int main(int argc, char** argv) {
     qm::RemeshOptions options;
+    bool subdivide = false;
+    double rho = qm::defaultRho;
     return qm::runTool(
-        argc, argv, "qm-remesh", "Make a quad mesh from a triangle mesh, with Blender.",
+        argc, argv, "qm-remesh", "Make a quad mesh from triangles, with Blender, or from other polygons.",
         [&](qm::Tool& tool) -> qm::ToolBody {
-            tool.reads("SCAN", "a triangle mesh in STL, PLY, OBJ or OFF format");
+            tool.reads("SCAN", "a triangle mesh in STL, PLY, OBJ or OFF format, or any polygons");
             tool.writes("a quad mesh in OBJ format");
             tool.explain("Uses QuadriFlow as built into Blender 3 and 4, which must be installed. Where it "
                          "fails or leaves holes, other seeds are tried, without regard to sharp edges "
@@ -27,24 +30,19 @@ int main(int argc, char** argv) {
                         "instead of drawing them to the scan");
             tool.option("seed", options.seed, qm::Range{0, 1'000'000},
                         "random seed; each gives another mesh");
+            tool.option(
+                "subdivide", subdivide,
+                "instead, for meshes of quads and other polygons: divide every face into as many "
+                "quads as it has corners, without Blender. Vertices stay where they are; new ones lie "
+                "on a smooth surface through them");
+            tool.option("rho", rho, qm::Range{0, std::numbers::pi},
+                        "with --subdivide: edges of larger dihedral angles are sharp, in radians; pi makes "
+                        "all of a coarse mesh smooth");
+            tool.needs({"quads", "no-preserve-sharp", "no-draw", "seed"},
+                       "Blender, which --subdivide does not use", [&] { return !subdivide; });
+            tool.needs({"rho"}, "--subdivide", [&] { return subdivide; });
             tool.example("qm-remesh scan.stl --quads 2000 -o part.obj");
-            return [&] {
-                qm::Triangles scan =
-                    qm::readTriangles(tool.readInput(), tool.inputPath() == "-" ? "" : tool.inputPath());
-                tool.protect(tool.inputPath());
-                tool.count("triangles", scan.faces.size());
-                if (const std::string done = qm::repairText(qm::repairTriangles(scan)); !done.empty())
-                    tool.warnOfInput(done);
-                const qm::Remeshed remeshed =
-                    qm::remeshWithBlender(scan, options, tool.control("drawing").jobs);
-                if (remeshed.used.seed != options.seed)
-                    tool.note("made with --seed " + std::to_string(remeshed.used.seed));
-                if (remeshed.used.preserveSharp != options.preserveSharp)
-                    tool.warn("QuadriFlow did not end: made with --no-preserve-sharp");
-                tool.count("quads", remeshed.mesh.n_faces());
-                tool.count("weldedVertices", remeshed.repair.weldedVertices);
-                tool.write(qm::writeObj(remeshed.mesh));
-                return qm::judgeRemeshed(tool, remeshed);
-            };
+            tool.example("qm-remesh --subdivide part.obj -o quads.obj");
+            return [&] { return subdivide ? qm::subdivideInput(tool, rho) : qm::remeshInput(tool, options); };
         });
 }

@@ -2,17 +2,15 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "mesh/bounding_box.h"
 
 #include <algorithm>
 
 namespace qm {
 
-void verifyExtent(const QuadMesh& mesh) {
+void verifyExtent(const BoundingBox& box) {
     constexpr double smallest = 1e-30;
     constexpr double largest = 1e30;
-    constexpr double farthest = 1e7; // times the extent: 9 of 16 digits remain
-    const BoundingBox box = boundingBox(mesh);
+    constexpr double farthest = 1e7;            // times the extent: 9 of 16 digits remain
     const double extent = box.size().max_abs(); // its square may be 0
     const double distance = std::max(box.low.max_abs(), box.high.max_abs());
     if (extent == 0) throw Error("", "all vertices lie at one place", "Is it another format?");

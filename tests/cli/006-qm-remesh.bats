@@ -195,3 +195,90 @@ fake_blender() {
     run kill -0 "$(cat pid)"
     assert_failure
 }
+
+# write_mixed FILE: a prism over a hexagon, with faces of three, four and six sides.
+write_mixed() {
+    cat >"$1" <<'END'
+v 1 0 0
+v .5 .8 0
+v -.5 .8 0
+v -1 0 0
+v -.5 -.8 0
+v .5 -.8 0
+v 1 0 1
+v .5 .8 1
+v -.5 .8 1
+v -1 0 1
+v -.5 -.8 1
+v .5 -.8 1
+f 6 5 4 3 2 1
+f 7 8 9 10
+f 7 10 11
+f 7 11 12
+f 1 2 8 7
+f 2 3 9 8
+f 3 4 10 9
+f 4 5 11 10
+f 5 6 12 11
+f 6 1 7 12
+END
+}
+
+@test "--subdivide makes quads of polygons, without Blender" {
+    write_mixed mixed.obj
+    mkdir folder
+    ln -s "$QM_BIN/qm-remesh" folder
+    PATH=$PWD/folder quietly qm-remesh --subdivide mixed.obj -o quads.obj
+    # As many quads as corners; the vertices stay where they are.
+    assert_equal "$(grep -c '^f ' quads.obj)" 40
+    assert_equal "$(sed -n '1,12p' quads.obj | awk '{ print $2 + 0, $3 + 0, $4 + 0 }')" "$(sed -n '1,12p' mixed.obj | awk '{ print $2 + 0, $3 + 0, $4 + 0 }')"
+    quietly qm-basecomplex --quiet quads.obj -o quads.json
+    quietly qm-summary --json quads.json
+    jq -e '.boundaryLoops == [] and .pieces == 1' <<<"$output"
+    # In a pipe, twice, and from other formats.
+    qm-remesh --subdivide <mixed.obj | cmp - quads.obj
+    qm-remesh --subdivide <mixed.obj | qm-remesh --subdivide -o twice.obj
+    assert_equal "$(grep -c '^f ' twice.obj)" 160
+    { echo OFF; echo 12 10 0; sed -n 's/^v //p' mixed.obj; awk '/^f / { printf "%d", NF - 1; for (k = 2; k <= NF; ++k) printf " %d", $k - 1; print "" }' mixed.obj; } >mixed.off
+    qm-remesh --subdivide mixed.off | cmp - quads.obj
+    run --separate-stderr qm-remesh --subdivide --stats mixed.obj -o quads.obj
+    jq -e '.counters == { faces: 10, otherFaces: 3, quads: 40 }' <<<"$stderr"
+}
+
+@test "--rho tells which edges --subdivide leaves sharp" {
+    qm-shape cube --resolution 1 -o cube.obj
+    quietly qm-remesh --subdivide cube.obj -o sharp.obj
+    quietly qm-remesh --subdivide --rho 3 cube.obj -o smooth.obj
+    # Points in the middles of the faces: on the cube, or off it.
+    assert_equal "$(tail -n +9 sharp.obj | awk '/^v / && $2 != 0 && $2 != 1 && $3 != 0 && $3 != 1 && $4 != 0 && $4 != 1' | wc -l)" 0
+    run cmp sharp.obj smooth.obj
+    assert_failure
+}
+
+@test "--subdivide and Blender's options exclude one another" {
+    write_mixed mixed.obj
+    for words in '--quads 100' --no-preserve-sharp --no-draw '--seed 3'; do
+        # shellcheck disable=SC2086
+        run --separate-stderr qm-remesh --subdivide $words mixed.obj
+        assert_equal "$status" 2
+        assert_regex "$stderr" "${words%% *} has no effect without Blender, which --subdivide does not use"
+    done
+    run --separate-stderr qm-remesh --rho 1 mixed.obj
+    assert_equal "$status" 2
+    assert_regex "$stderr" 'rho has no effect without --subdivide'
+}
+
+@test "triangles are not what --subdivide is for" {
+    qm-shape block --scan 500 -o scan.obj
+    qm-shape block --scan 500 -o scan.stl
+    run -0 --separate-stderr qm-remesh --subdivide scan.obj -o quads.obj
+    assert_regex "$stderr" 'are triangles, which make poor quads. For a scan, use --quads instead of --subdivide'
+    rm quads.obj
+    complains qm-remesh --subdivide scan.stl -o quads.obj
+    assert_regex "$stderr" 'STL holds triangles that are not connected'
+    assert [ ! -e quads.obj ]
+    # The mesh itself is not written over.
+    cp scan.obj same.obj
+    complains qm-remesh --subdivide scan.obj -o scan.obj
+    cmp scan.obj same.obj
+}

@@ -462,6 +462,26 @@ frame() {
     assert_equal "${#stderr_lines[@]}" 1
 }
 
+@test "--subdivide makes quads of other polygons first" {
+    # One face of the part in two triangles.
+    awk '/^f / && !done++ { print "f", $2, $3, $4; print "f", $2, $4, $5; next } { print }' part.obj >mixed.obj
+    fails_with 'mixed.obj: .* faces are not four-sided. Make quads of all faces: quadmesh --subdivide' mixed.obj -o mixed.step
+    quietly quadmesh mixed.obj --subdivide -o mixed.step -o mixed.json --keep stages
+    assert_line 'mesh        mixed.quads.obj'
+    assert_line --regexp '^shape +solid$'
+    refute_line --regexp '^scan '
+    qm-remesh --subdivide mixed.obj | cmp - stages/mixed.quads.obj
+    cmp stages/mixed.quads.obj mixed.quads.obj
+    # An option of the stage; and what does not go together.
+    quietly quadmesh mixed.obj --subdivide --remesh.rho 1 -o other.json
+    run --separate-stderr quadmesh mixed.obj --subdivide --quads 100
+    assert_equal "$status" 2
+    assert_regex "$stderr" '^quadmesh: --quads and --subdivide exclude one another'
+    run --separate-stderr quadmesh mixed.obj --remesh.subdivide
+    assert_equal "$status" 2
+    assert_regex "$stderr" '^quadmesh: --remesh.subdivide is --subdivide of quadmesh itself'
+}
+
 @test "a scan becomes a STEP file" {
     command -v blender >/dev/null || skip 'there is no Blender'
     qm-shape block --scan 6000 -o 'my scan.stl'

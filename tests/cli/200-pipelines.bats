@@ -416,6 +416,19 @@ remeshing_tools() {
     assert [ "$(field .mesh.faces all/scan.basecomplex.json)" -lt 700 ]
 }
 
+@test "other polygons become quads first, where QUADS is the word subdivide" {
+    awk '/^f / && !done++ { print "f", $2, $3, $4; print "f", $2, $4, $5; next } { print }' part.obj >mixed.obj
+    rm part.obj
+    quietly layout_mk -s QUADS.mixed=subdivide
+    assert_equal "$(cd out && echo *.obj *.surfaces.json)" 'mixed.quads.obj mixed.surfaces.json'
+    assert_equal "$(field '.surfaces.reference // "mesh" | tostring' out/mixed.surfaces.json)" mesh
+    quietly quadmesh --quiet mixed.obj --subdivide --keep stages
+    assert_same_bytes stages/mixed.quads.obj out/mixed.quads.obj
+    assert_equal "$(field '.surfaces.patches | tojson' stages/mixed.surfaces.json)" "$(field '.surfaces.patches | tojson' out/mixed.surfaces.json)"
+    quietly layout_mk -s QUADS=subdivide OUT=all all/mixed.quads.obj
+    assert_same_bytes all/mixed.quads.obj out/mixed.quads.obj
+}
+
 @test "the report has a line for every model, with pictures where there is Chromium" {
     mkdir meshes
     cp "$(sample cube)" meshes/cube.obj

@@ -46,7 +46,7 @@ MeshInput readMeshInput(const Tool& tool, bool repair) {
     const std::string bytes = tool.readInput();
     tool.protect(tool.inputPath());
     ReadResult read = readMesh(bytes, tool.inputPath() == "-" ? "" : tool.inputPath(), {repair});
-    verifyExtent(read.mesh);
+    verifyExtent(boundingBox(read.mesh));
     for (const std::string& warning : suspicions(read.mesh))
         tool.warnOfInput(warning);
     if (const std::vector<BoundaryLoop> loops = boundaryLoops(read.mesh); !loops.empty())

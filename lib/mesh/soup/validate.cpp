@@ -32,21 +32,23 @@ void checkSize(const Soup& soup) {
 
 void checkQuads(const Soup& soup) {
     std::optional<std::size_t> first;
-    std::size_t others = 0;
+    std::size_t others = 0, triangles = 0;
     for (std::size_t k = 0; k < soup.faceCount(); ++k) {
-        if (soup.face(k).size() == 4) continue;
+        const std::size_t sides = soup.face(k).size();
+        if (sides == 4) continue;
         if (!first) first = k;
         ++others;
+        triangles += sides == 3 ? 1 : 0;
     }
     if (!first) return;
-    const bool areFew = 2 * others < soup.faceCount();
-    throw Error(
-        soup.facePlace(*first),
-        "it has " + countText(soup.face(*first).size(), "side") + "; " + std::to_string(others) + " of " +
-            countText(soup.faceCount(), "face") + (others == 1 ? " is" : " are") + " not four-sided",
-        "Make quads of all faces: " +
-            std::string(areFew ? "subdividing once does (Catmull-Clark, in a modelling program), or " : "") +
-            "quadmesh --quads N and qm-remesh do, with Blender");
+    const bool isTriangulated = 2 * triangles > soup.faceCount();
+    throw Error(soup.facePlace(*first),
+                "it has " + countText(soup.face(*first).size(), "side") + "; " + std::to_string(others) +
+                    " of " + countText(soup.faceCount(), "face") + (others == 1 ? " is" : " are") +
+                    " not four-sided",
+                "Make quads of all faces: " +
+                    std::string(isTriangulated ? "quadmesh --quads N and qm-remesh do, with Blender"
+                                               : "quadmesh --subdivide and qm-remesh --subdivide do"));
 }
 
 void checkSides(const Soup& soup) {

@@ -13,7 +13,7 @@ std::string refusal(double origin, double side) {
     QuadMesh mesh;
     const auto add = [&](double x, double y) { return mesh.add_vertex({origin + x, y, 0}); };
     mesh.add_face(add(0, 0), add(side, 0), add(side, side), add(0, side));
-    return test::messageOf([&] { verifyExtent(mesh); });
+    return test::messageOf([&] { verifyExtent(boundingBox(mesh)); });
 }
 
 TEST(Extent, IsNeitherTooSmallNorTooLarge) {

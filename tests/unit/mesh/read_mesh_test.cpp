@@ -113,7 +113,7 @@ TEST(Refusal, OfOtherPolygonsSaysHowMany) {
         "^face 1 (line 14): it has 3 sides; 3 of 5 faces are not four-sided. Make quads of all faces: "
         "quadmesh"));
     EXPECT_TRUE(says(refusal(objOf(gridPoints, "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8\n"), "a.obj"),
-                     "1 of 3 faces is not four-sided. Make quads of all faces: subdividing once does"));
+                     "1 of 3 faces is not four-sided. Make quads of all faces: quadmesh --subdivide"));
     EXPECT_TRUE(
         says(refusal(objOf(gridPoints, "f\n"), "a.obj"), "it has 0 sides; 1 of 1 face is not four-sided"));
 }
