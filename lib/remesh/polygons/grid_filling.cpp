@@ -46,7 +46,7 @@ GridFilling gridFilling(const std::vector<PlanarPoint>& corners) {
     const std::size_t start = startOfGrid(corners, a, b);
     GridFilling filling;
     filling.innerPoints = rim + (a - 1) * (b - 1); // the ring's inner side, and what is inside of the grid
-    const auto ring = [&](std::size_t k) { return rim + k % rim; };
+    const auto ring = [&](std::size_t k) { return k < rim ? rim + k : k; };
     for (std::size_t k = 0; k < rim; ++k)
         filling.quads.push_back({k, (k + 1) % rim, ring(k + 1), ring(k)});
     const auto point = [&](std::size_t i, std::size_t j) {
