@@ -117,6 +117,91 @@ EOF
     grep -q 'data-transparent="true"' dom
 }
 
+@test "a view stays when the key takes more room, and finding goes where the found is" {
+    needs_browser
+    # Frames by the clock: a headless browser draws few where nothing changes.
+    cat >frames <<'EOF'
+<script>
+let resized;
+window.requestAnimationFrame = (draw) => setTimeout(draw, 16);
+window.ResizeObserver = class { constructor(call) { resized = call; } observe() {} };
+</script>
+EOF
+    qm-view --show segments "$(stage layout cube)" | sed '/^<body>/r frames' >page.html
+    cat >>page.html <<'EOF'
+<script>
+const canvas = document.getElementById('canvas'), tip = document.getElementById('tip');
+const rest = () => new Promise((done) => setTimeout(done, 700));
+// What is in the middle of the picture, not on a border.
+async function middle() {
+  await rest();
+  const box = canvas.getBoundingClientRect();
+  canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + box.width / 2 + 2, clientY: box.top + box.height / 2 + 1, bubbles: true }));
+  await rest();
+  return tip.hidden ? 'nothing' : tip.querySelector('h2').textContent;
+}
+async function takeRoom(height) {
+  document.getElementById('key').style.minHeight = height;
+  resized();
+  await rest();
+}
+function find(text) {
+  document.getElementById('wanted').value = text;
+  document.getElementById('find').requestSubmit();
+}
+(async () => {
+  const seen = [await middle()];
+  for (const go of [() => document.querySelector('[data-view=z]').click(), () => find('face 338')]) {
+    await takeRoom('');
+    go();
+    seen.push(await middle());
+    await takeRoom('9rem');
+    seen.push(await middle());
+  }
+  document.body.dataset.seen = seen.join();
+})();
+</script>
+EOF
+    virtual_time=20000 seen page.html >census
+    IFS=, read -ra middles < <(grep -oP 'data-seen="\K[^"]*' dom)
+    assert [ "${middles[0]}" != "${middles[1]}" ]
+    assert_equal "${middles[2]}" "${middles[1]}"
+    assert_equal "${middles[4]}" "${middles[3]}"
+}
+
+@test "all text stands out from what is behind it, light and dark" {
+    needs_browser
+    qm-view "$(stage surfaces block)" >page.html
+    cat >>page.html <<'EOF'
+<script>
+const numbers = (colour) => colour.match(/[\d.]+/g).map(Number);
+const linear = (part) => (part <= 10 ? part / 3294.6 : ((part / 255 + 0.055) / 1.055) ** 2.4);
+const light = ([red, green, blue]) => 0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue) + 0.05;
+function behind(node) {
+  const colour = numbers(getComputedStyle(node).backgroundColor);
+  return colour.length < 4 || colour[3] > 0.5 ? colour : behind(node.parentElement);
+}
+document.getElementById('wanted').value = 'separatrix 999999';
+document.getElementById('find').requestSubmit();
+const faint = [];
+for (const theme of ['light', 'dark']) {
+  document.documentElement.dataset.theme = theme;
+  const test = (node, style) => {
+    const [less, more] = [light(numbers(style.color)), light(behind(node))].sort((a, b) => a - b);
+    if (more / less < 4.5) faint.push(`${theme} ${node.tagName}#${node.id}`);
+  };
+  const wanted = document.getElementById('wanted');
+  test(wanted, getComputedStyle(wanted, '::placeholder'));
+  for (const node of document.querySelectorAll('#stage *, #panel *'))
+    if ([...node.childNodes].some((child) => child.nodeType === Node.TEXT_NODE && child.textContent.trim())) test(node, getComputedStyle(node));
+}
+document.body.dataset.faint = faint.join();
+</script>
+EOF
+    seen page.html >census
+    grep -q 'data-faint=""' dom
+}
+
 @test "--png takes a picture of the size that was asked for, and writes no page unless told" {
     needs_browser
     quietly qm-view "$(stage layout block)" --png block.png --size 320x240

@@ -2,7 +2,8 @@
 
 class View {
   constructor(page, models, canvas, moved) {
-    this.from = page.from;
+    this.from = new THREE.Vector3().fromArray(page.from);
+    this.direction = this.from; // that all of the mesh is seen from, whatever the size; null once the view was moved
     this.models = models;
     this.radius = Math.max(...models.map((model) => model.radius));
     this.moved = moved;
@@ -12,18 +13,19 @@ class View {
     this.controls.enableKeys = false;
     this.controls.screenSpacePanning = true;
     this.controls.addEventListener('change', moved);
-    this.controls.addEventListener('start', () => { this.untouched = false; });
+    this.controls.addEventListener('start', () => { this.direction = null; });
     canvas.addEventListener('keydown', (event) => this.key(event));
   }
 
   resize(width, height) {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (this.untouched !== false) this.reset();
+    if (this.direction) this.lookFrom(this.direction);
   }
 
   // All of the mesh, from a direction, in the middle and as large as it can be.
   lookFrom(direction) {
+    this.direction = direction;
     // Never straight along "up", which would leave open what is right.
     const back = direction.clone().normalize().addScaledVector(new THREE.Vector3(0.31, -0.67, 0.53), 1e-4).normalize();
     const right = new THREE.Vector3().crossVectors(this.camera.up, back).normalize();
@@ -57,45 +59,45 @@ class View {
     return high >= low ? [low, high] : [0, 0];
   }
 
-  reset() { this.lookFrom(new THREE.Vector3().fromArray(this.from)); }
+  reset() { this.lookFrom(this.from); }
 
   // Along an axis.
   along(axis) {
     this.lookFrom(new THREE.Vector3(axis === 'x' ? 1 : 0, axis === 'y' ? -1 : 0, axis === 'z' ? 1 : 0));
   }
 
-  goTo(place) {
-    const step = place.clone().sub(this.controls.target);
-    this.controls.target.add(step);
-    this.camera.position.add(step);
-    this.controls.update();
-    this.moved();
-  }
+  // Where the eye is, seen from what it looks at.
+  get offset() { return this.camera.position.clone().sub(this.controls.target); }
 
-  turn(right, upwards) {
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    const side = new THREE.Vector3().crossVectors(this.camera.up, offset).normalize();
-    const angle = offset.angleTo(this.camera.up);
-    offset.applyAxisAngle(side, -Math.min(Math.max(upwards, 0.01 - Math.PI + angle), angle - 0.01));
-    offset.applyAxisAngle(this.camera.up, right);
+  standAt(offset) {
+    this.direction = null;
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
     this.moved();
   }
 
+  goTo(place) {
+    const { offset } = this;
+    this.controls.target.copy(place);
+    this.standAt(offset);
+  }
+
+  turn(right, upwards) {
+    const { offset } = this;
+    const side = new THREE.Vector3().crossVectors(this.camera.up, offset).normalize();
+    const angle = offset.angleTo(this.camera.up);
+    offset.applyAxisAngle(side, -Math.min(Math.max(upwards, 0.01 - Math.PI + angle), angle - 0.01));
+    this.standAt(offset.applyAxisAngle(this.camera.up, right));
+  }
+
   move(right, upwards) {
-    const scale = this.camera.position.distanceTo(this.controls.target) * 0.05;
+    const scale = this.offset.length() * 0.05;
     const step = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 0).multiplyScalar(right * scale)
       .addScaledVector(new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 1), upwards * scale);
     this.goTo(this.controls.target.clone().add(step));
   }
 
-  zoom(factor) {
-    const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
-    this.camera.position.copy(this.controls.target).add(offset);
-    this.controls.update();
-    this.moved();
-  }
+  zoom(factor) { this.standAt(this.offset.multiplyScalar(factor)); }
 
   key(event) {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -107,7 +109,6 @@ class View {
     else if (arrow) this.turn(arrow[0] * 0.1, arrow[1] * 0.1);
     else if (actions[event.key.toLowerCase()]) actions[event.key.toLowerCase()]();
     else return;
-    this.untouched = false;
     event.preventDefault();
   }
 

@@ -56,22 +56,9 @@ function describe(model, layer, element, nearest) {
   return { title, pointer: named ? pointerOf(layer.items, item) : '', rows: rows.reverse().filter(([name]) => !seen.has(name) && seen.add(name)).reverse() };
 }
 
-function show(element, description) {
-  element.textContent = '';
-  const heading = document.createElement('h2');
-  heading.textContent = description.title;
-  element.append(heading);
-  if (description.pointer) {
-    const code = document.createElement('code');
-    code.textContent = description.pointer;
-    element.append(code);
-  }
-  const list = document.createElement('dl');
-  for (const [name, value] of description.rows) {
-    const term = document.createElement('dt'), detail = document.createElement('dd');
-    term.textContent = name;
-    detail.textContent = value;
-    list.append(term, detail);
-  }
-  element.append(list);
+function show(box, { title, pointer, rows }) {
+  box.textContent = '';
+  box.append(element('h2', { textContent: title }));
+  if (pointer) box.append(element('code', { textContent: pointer }));
+  box.append(element('dl', {}, ...rows.flatMap(([name, value]) => [element('dt', { textContent: name }), element('dd', { textContent: value })])));
 }
