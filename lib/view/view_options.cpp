@@ -36,7 +36,7 @@ std::vector<std::string> parseLayers(const std::string& text) {
         if (name.empty()) continue;
         if (std::ranges::find(known, name) == known.end())
             throw Error("", "there is no layer " + name, "Give some of " + joined(known));
-        names.push_back(std::move(name));
+        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
     }
     return names;
 }
@@ -47,7 +47,10 @@ std::array<double, 3> parseDirection(const std::string& text) {
     bool sound = parts.size() == direction.size();
     for (std::size_t k = 0; sound && k < direction.size(); ++k)
         sound = parseNumber(parts[k], direction[k]);
-    if (!sound || std::hypot(direction[0], direction[1], direction[2]) == 0)
+    // The page squares the numbers.
+    constexpr double tiny = 1e-100;
+    const double length = std::hypot(direction[0], direction[1], direction[2]);
+    if (!sound || length < tiny || length > 1 / tiny)
         throw Error("", "'" + text + "' is no direction", "Give three numbers, such as 1,-1,0.5");
     return direction;
 }

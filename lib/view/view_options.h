@@ -13,12 +13,12 @@ namespace qm {
 /// The layers of faces, and then those of lines and points.
 [[nodiscard]] std::vector<std::string> allLayerNames();
 
-/// "segments,borders" as a list.
+/// "segments,borders" as a list, each once.
 /// \throw Error  if there are no layers of such names, whatever the document
 [[nodiscard]] std::vector<std::string> parseLayers(const std::string& text);
 
 /// "1,-1.5,0.9" as a direction.
-/// \throw Error  if it is not three numbers, or all are zero
+/// \throw Error  if it is not three numbers, or all are zero or so small or large that it comes to the same
 [[nodiscard]] std::array<double, 3> parseDirection(const std::string& text);
 
 /// "x", "y" or "z" with a share of the extent, such as "x:0.5"; empty: no section.

@@ -220,6 +220,19 @@ EOF
     assert_same_bytes keyless.html page.html
 }
 
+@test "pictures are taken wherever temporary files go" {
+    needs_browser
+    qm-view "$(stage layout block)" --png usual.png --size 320x240
+    mkdir 'a#b c%20?d'
+    for folder in "$PWD/a#b c%20?d" .; do
+        TMPDIR=$folder quietly qm-view "$(stage layout block)" --png other.png --size 320x240
+        assert_same_bytes usual.png other.png
+    done
+    assert_equal "$(ls -A 'a#b c%20?d')" ''
+    TMPDIR=$PWD/missing complains qm-view "$(stage layout block)" --png other.png
+    assert_regex "$stderr" 'no temporary folder can be made. Set TMPDIR'
+}
+
 @test "a small picture has room for the whole key" {
     needs_browser
     local window_size

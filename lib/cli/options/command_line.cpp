@@ -13,9 +13,31 @@ std::string withSmallStart(std::string text) {
     return text;
 }
 
-void parse(CLI::App& app, int argc, char** argv) {
+/// The words of a command line, the last one first, as CLI11 takes them. It would take the word behind
+/// "--mesh=" for the value, which is empty.
+std::vector<std::string> wordsOf(int argc, char** argv, const std::vector<OptionRecord>& options) {
+    const auto lacksValue = [&](std::string_view word) {
+        return std::ranges::any_of(options, [&](const OptionRecord& option) {
+            return option.type != OptionRecord::Type::flag && word == "--" + option.name + "=";
+        });
+    };
+    std::vector<std::string> words;
+    bool mayBeOption = true;
+    for (int k = 1; k < argc; ++k) {
+        std::string word = argv[k];
+        mayBeOption = mayBeOption && word != "--";
+        const bool isSplit = mayBeOption && lacksValue(word);
+        if (isSplit) word.pop_back();
+        words.push_back(std::move(word));
+        if (isSplit) words.emplace_back();
+    }
+    std::ranges::reverse(words);
+    return words;
+}
+
+void parse(CLI::App& app, std::vector<std::string> words) {
     try {
-        app.parse(argc, argv);
+        app.parse(std::move(words));
     } catch (const CLI::ArgumentMismatch& error) {
         const std::string what = error.what(); // such as "--output: 1 required FILE missing"
         throw UsageError(what.substr(0, what.find(':')) + ": its value is missing");
@@ -55,7 +77,7 @@ CommandLine readCommandLine(int argc, char** argv, const std::vector<OptionRecor
             bound[i] = app.add_option(flags, texts[i])->type_name(option.placeholder);
         bound[i]->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     }
-    parse(app, argc, argv);
+    parse(app, wordsOf(argc, argv, options));
 
     CommandLine line;
     for (std::size_t i = 0; i < options.size(); ++i) {

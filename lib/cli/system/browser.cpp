@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <unistd.h>
 
@@ -16,6 +17,20 @@ namespace {
 /// The first one shows nothing but pages without a window, and needs half the time.
 constexpr std::array browsers{"chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"};
 constexpr std::chrono::seconds patience{120};
+
+/// The address of a file, in which all bytes that might mean something in addresses are numbers.
+std::string addressOf(const std::string& path) {
+    static constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string address = "file://";
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0 || c == '/' || c == '.')
+            address += c;
+        else
+            ((address += '%') += digits[byte >> 4]) += digits[byte & 15];
+    }
+    return address;
+}
 
 std::vector<std::string> commandLine(const char* browser, const TemporaryFolder& folder, int width,
                                      int height) {
@@ -29,7 +44,7 @@ std::vector<std::string> commandLine(const char* browser, const TemporaryFolder&
         "--window-size=" + std::to_string(width) + "," + std::to_string(height),
         "--screenshot=" + folder.file("picture.png")};
     if (geteuid() == 0) words.emplace_back("--no-sandbox"); // Chromium does not start otherwise
-    words.push_back("file://" + folder.file("page.html"));
+    words.push_back(addressOf(folder.file("page.html")));
     return words;
 }
 

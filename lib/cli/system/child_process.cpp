@@ -68,10 +68,12 @@ bool HeldSignals::oneWaits() {
     return any;
 }
 
-TemporaryFolder::TemporaryFolder(const std::string& prefix)
-    : path_((std::filesystem::temp_directory_path() / (prefix + ".XXXXXX")).string()) {
-    if (mkdtemp(path_.data()) == nullptr)
-        throw Error(path_, "cannot be made", "Set TMPDIR to a folder that can be written");
+TemporaryFolder::TemporaryFolder(const std::string& prefix) {
+    std::error_code missing;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(missing);
+    if (!missing) path_ = std::filesystem::absolute(parent / (prefix + ".XXXXXX")).string();
+    if (missing || mkdtemp(path_.data()) == nullptr)
+        throw Error(path_, "no temporary folder can be made", "Set TMPDIR to a folder that can be written");
 }
 
 TemporaryFolder::~TemporaryFolder() {

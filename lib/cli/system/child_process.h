@@ -28,6 +28,7 @@ public:
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    /// The absolute path of a file in it.
     [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
 
 private:

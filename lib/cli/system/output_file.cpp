@@ -30,11 +30,19 @@ std::string folderOf(const std::string& path) {
     return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// The target of a link, so that the link itself is not replaced.
+/// The target of a link, which need not exist yet, so that the link itself is not replaced.
+/// \throw FileError  if links lead in a circle
 std::string followLinks(const std::string& path) {
-    std::error_code missing;
-    const std::filesystem::path real = std::filesystem::canonical(path, missing);
-    return missing ? path : real.string();
+    constexpr int maxLinks = 40; // as many as Linux follows
+    std::filesystem::path target = path;
+    for (int links = 0; links <= maxLinks; ++links) {
+        std::error_code isNone;
+        const std::filesystem::path next = std::filesystem::read_symlink(target, isNone);
+        if (isNone) return target.string();
+        target = target.parent_path() / next;
+    }
+    errno = ELOOP;
+    refuse(path);
 }
 
 struct ProtectedFile {
@@ -150,7 +158,8 @@ bool isSameFile(const std::string& one, const std::string& other) {
     std::error_code problem; // a file that is missing has only its name
     if (std::filesystem::equivalent(one, other, problem)) return true;
     const auto whole = [&](const std::string& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, problem), problem);
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(followLinks(path), problem),
+                                                 problem);
     };
     return one != "-" && other != "-" && whole(one) == whole(other);
 }

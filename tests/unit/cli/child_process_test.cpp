@@ -1,10 +1,12 @@
 /// \file Running other programs.
 #include "base/error.h"
 #include "cli/system/child_process.h"
+#include "support/message_of.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <string>
 
 namespace {
@@ -15,6 +17,17 @@ TEST(RunProgram, TellsAProgramThatIsMissingFromOneThatCannotBeStarted) {
     EXPECT_FALSE(qm::runProgram({"no-such-program"}, signals));
     EXPECT_THROW((void)qm::runProgram({"true", std::string(1 << 20, 'x')}, signals), qm::Error)
         << "an argument that is too long for the system";
+}
+
+TEST(TemporaryFolder, IsAbsoluteAndNamesTheRemedy) {
+    const char* const present = std::getenv("TMPDIR");
+    const std::string before = present == nullptr ? "/tmp" : present;
+    setenv("TMPDIR", ".", 1);
+    EXPECT_TRUE(qm::TemporaryFolder("qm-test").file("x").starts_with('/'));
+    setenv("TMPDIR", "/no-such-folder", 1);
+    EXPECT_EQ(qm::test::messageOf([] { const qm::TemporaryFolder folder("qm-test"); }),
+              "no temporary folder can be made. Set TMPDIR to a folder that can be written");
+    setenv("TMPDIR", before.c_str(), 1);
 }
 
 TEST(HeldSignals, HoldAllThatEndATool) {

@@ -70,6 +70,27 @@ TEST(OutputFile, FollowsLinksAndKeepsPermissions) {
     EXPECT_EQ(files::status(target).permissions(), before);
 }
 
+TEST(OutputFile, FollowsLinksToWhatIsNotThereYet) {
+    const TemporaryFolder folder;
+    files::create_directory(folder.file("sub"));
+    files::create_symlink("sub/second", folder.file("first"));
+    files::create_symlink("target", folder.file("sub/second"));
+    EXPECT_TRUE(qm::isSameFile(folder.file("first"), folder.file("sub/target")));
+    qm::writeFile(folder.file("first"), "new");
+    EXPECT_TRUE(files::is_symlink(folder.file("first")));
+    EXPECT_TRUE(files::is_symlink(folder.file("sub/second")));
+    EXPECT_EQ(qm::readFile(folder.file("sub/target")), "new");
+
+    files::create_symlink("missing/target", folder.file("lost"));
+    EXPECT_EQ(messageOf([&] { qm::verifyWritable(folder.file("lost")); }),
+              folder.file("lost") + ": cannot be written: there is no folder " + folder.file("missing") +
+                  ". Make it first");
+    files::create_symlink("circle", folder.file("circle"));
+    EXPECT_EQ(messageOf([&] { qm::verifyWritable(folder.file("circle")); }),
+              folder.file("circle") + ": cannot be written: Too many levels of symbolic links");
+    EXPECT_TRUE(files::is_symlink(folder.file("circle")));
+}
+
 TEST(OutputFile, WritesToDevices) {
     EXPECT_NO_THROW(qm::writeFile("/dev/null", "text"));
     const std::string message = messageOf([] { qm::writeFile("/dev/full", std::string(1 << 20, 'x')); });

@@ -43,6 +43,25 @@ TEST(Usage, HelpAndJsonSayTheSame) {
     EXPECT_EQ(json["examples"], usage.examples);
 }
 
+TEST(CommandLine, TakesNoWordForAValueThatIsEmpty) {
+    std::string mesh = "as it was", name;
+    const std::vector<qm::OptionRecord> options{qm::makeTextOption("mesh", mesh, "FILE", "a mesh"),
+                                                qm::makeTextOption("name", name, "NAME", "a name")};
+    const auto read = [&options](std::vector<std::string> words) {
+        std::vector<char*> pointers;
+        for (std::string& word : words)
+            pointers.push_back(word.data());
+        return qm::readCommandLine(static_cast<int>(words.size()), pointers.data(), options);
+    };
+    const qm::CommandLine line = read({"qm-test", "--mesh=", "part.json"});
+    EXPECT_EQ(line.problem, "--mesh: is empty");
+    EXPECT_EQ(line.operands, std::vector<std::string>{"part.json"});
+    EXPECT_EQ(mesh, "as it was");
+    EXPECT_EQ(read({"qm-test", "--name=a", "--mesh=part.obj", "--", "--mesh="}).operands,
+              std::vector<std::string>{"--mesh="});
+    EXPECT_EQ(mesh, "part.obj");
+}
+
 TEST(CommandLineRules, GiveWordsToOperandsInTheirOrder) {
     const std::vector<qm::Operand> declared{{"FIRST", "a", true, {}}, {"SECOND", "b", false, {}}};
     std::string first, second;

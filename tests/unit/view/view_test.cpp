@@ -274,13 +274,14 @@ TEST(View, OptionsAreRead) {
     for (const char* bad : {"a", ":0.5", "x:2", "x:-1", "x:0.5:1", "xy", "x:nan", "x:"})
         EXPECT_THROW((void)parseSection(bad), Error) << bad;
     EXPECT_EQ(parseLayers("mesh,tracks,,net"), (std::vector<std::string>{"mesh", "tracks", "net"}));
+    EXPECT_EQ(parseLayers("mesh,net,mesh"), (std::vector<std::string>{"mesh", "net"}));
     EXPECT_EQ(parseLayers(""), std::vector<std::string>{});
     EXPECT_THROW((void)parseLayers("mesh,foo"), Error);
     EXPECT_EQ(parseDirection("1,-2,0.5"), (std::array<double, 3>{1, -2, 0.5}));
     EXPECT_EQ(parseSize("640x480").width, 640);
     for (const char* bad : {"", "640", "640x", "x480", "640x480x2", "1x1", "99999x2", "640 x 480"})
         EXPECT_THROW((void)parseSize(bad), Error) << bad;
-    for (const char* bad : {"", "1,2", "1,2,3,4", "0,0,0", "a,b,c", "1,2,nan"})
+    for (const char* bad : {"", "1,2", "1,2,3,4", "0,0,0", "a,b,c", "1,2,nan", "1e-200,0,0", "1e300,1,1"})
         EXPECT_THROW((void)parseDirection(bad), Error) << bad;
 }
 
