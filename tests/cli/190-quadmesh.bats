@@ -77,6 +77,18 @@ fails_with() {
     assert_same_bytes pipe.json one.json
 }
 
+@test "links are written through, and one message tells what cannot be printed" {
+    ln -s target.json link.json
+    ln -s target.step link.step
+    quadmesh --quiet part.obj -o link.json -o link.step
+    assert [ -L link.json ]
+    assert [ -L link.step ]
+    quietly qm-check target.json
+    assert [ -s target.step ]
+    run --separate-stderr bash -c 'quadmesh part.obj >/dev/full'
+    assert_equal "$status:$stderr" '1:quadmesh: standard output cannot be written to'
+}
+
 @test "--keep leaves the documents that layout.mk would" {
     quadmesh --quiet part.obj --keep stages
     make -s --no-print-directory -f "$ROOT/pipelines/layout.mk" out/part.surfaces.json
@@ -130,9 +142,10 @@ fails_with() {
 
 @test "values may be attached to the names of options" {
     cp "$(sample block)" part.obj
-    quietly quadmesh -j1 -opart.step --tolerance=1% --cut.chi=20 part.obj
+    quietly quadmesh -j1 -opart.step --output=v1.2=a.json --tolerance=1% --cut.chi=20 part.obj
     assert_line --regexp 'tolerance, 0\.0469 mm$'
     assert [ -s part.step ]
+    assert [ -s v1.2=a.json ]
 }
 
 @test "names with blanks, and names that look like options" {
@@ -206,6 +219,11 @@ fails_with() {
 @test "a wrong command line is told at once" {
     refused
     refused --no-such-option part.obj
+    refused --json=part.obj
+    refused --quiet= part.obj
+    refused ''
+    refused part.obj ''
+    assert_regex "$stderr" 'MESH is empty'
     refused part.obj other.obj
     refused part.obj -o
     refused part.obj -o part.xyz
