@@ -1,6 +1,5 @@
-#include "check/check_constraints.h"
-
 #include "base/at.h"
+#include "check/check_sections.h"
 #include "check/tracks/paths.h"
 
 namespace qm::check {
@@ -26,15 +25,15 @@ EdgeCounts countEdges(const Neighbourhoods& around, const std::vector<int>& path
 
 } // namespace
 
-void checkConstraints(const Neighbourhoods& around, const ConstraintsPart& constraints,
-                      std::span<const char> present, GraphOf what, const std::string& pointer,
-                      Report& report) {
-    for (std::size_t i = 0; what == GraphOf::mesh && i < constraints.required.size(); ++i)
-        if (countEdges(around, constraints.required[i], present).onNone > 0)
+void checkConstraints(const Context& context, std::span<const char> present, GraphOf what,
+                      const std::string& pointer, Report& report) {
+    const auto& [required, forbidden, weights] = context.constraints;
+    for (std::size_t i = 0; what == GraphOf::mesh && i < required.size(); ++i)
+        if (countEdges(context.around, required[i], present).onNone > 0)
             report.violate(pointer, "required",
                            "an edge of " + below("/constraints/required", i) + " is on no track");
-    for (std::size_t i = 0; i < constraints.forbidden.size(); ++i)
-        if (countEdges(around, constraints.forbidden[i], present).onTracks > 0)
+    for (std::size_t i = 0; i < forbidden.size(); ++i)
+        if (countEdges(context.around, forbidden[i], present).onTracks > 0)
             report.violate(pointer, "forbidden",
                            "an edge of " + below("/constraints/forbidden", i) + " is on a track");
 }

@@ -1,7 +1,6 @@
 #include "check/check_document.h"
 
 #include "base/or_null.h"
-#include "check/check_constraints.h"
 #include "check/check_sections.h"
 #include "check/mesh/angles.h"
 #include "check/tracks/lines.h"

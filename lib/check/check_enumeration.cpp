@@ -1,7 +1,6 @@
 #include "base/at.h"
 #include "base/infinity.h"
 #include "base/number_text.h"
-#include "check/check_constraints.h"
 #include "check/check_sections.h"
 #include "check/tracks/check_graph.h"
 
@@ -119,8 +118,8 @@ private:
         for (const int edge : edges)
             present_[at(edge)] = 1;
         checkGraph(around_, network, {list, tracks, present_, edges.size()}, part_.tmesh, report_);
-        checkConstraints(around_, context_.constraints, present_,
-                         networks_.size() == 1 ? GraphOf::mesh : GraphOf::subMesh, list, report_);
+        checkConstraints(context_, present_, networks_.size() == 1 ? GraphOf::mesh : GraphOf::subMesh, list,
+                         report_);
         CostSum cost(context_.costs);
         if (context_.segmentCost != 0) cost.addCost(context_.segmentCost * corners(subMesh, tracks) / 4);
         for (const int edge : edges)

@@ -26,16 +26,18 @@ struct Distances {
 class PatchCheck {
 public:
     PatchCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, std::size_t patch,
-               const Distances& distances, Report& report)
+               const Distances& distances)
         : mesh_(context.mesh), around_(context.around), angles_(context.angles), part_(part), patch_(patch),
-          segment_(layout.segments[patch]), distances_(distances), report_(report),
-          vertices_(soundGridOf(mesh_, segment_)), fromFacets_(part.patches[patch].figures["maxFromFacets"]),
+          segment_(layout.segments[patch]), distances_(distances), vertices_(soundGridOf(mesh_, segment_)),
+          fromFacets_(part.patches[patch].figures["maxFromFacets"]),
           fromVertices_(part.patches[patch].figures["maxFromVertices"]),
           mayFold_(part.patches[patch].figures["folds"].value_or(1) > 0) {}
 
-    void run() {
+    /// Up to the first violation.
+    Report run() {
         for (int row = 0; row < segment_.size[1]; ++row)
-            if (!checkRow(row)) return;
+            if (!checkRow(row)) break;
+        return std::move(report_);
     }
 
 private:
@@ -153,7 +155,7 @@ private:
     std::size_t patch_;
     const LayoutPart::Segment& segment_;
     const Distances& distances_;
-    Report& report_;
+    Report report_;
     std::vector<int> vertices_;                       ///< of the segment's grid
     std::optional<double> fromFacets_, fromVertices_; ///< as stated
     bool mayFold_;
@@ -166,7 +168,7 @@ void checkFigures(const Context& context, const LayoutPart& layout, const Surfac
     const Distances distances{{context.mesh, context.around}, {context.mesh, context.around, layout, part}};
     std::vector<Report> ofPatch(part.patches.size());
     parallelFor(ofPatch.size(), jobs, [&](std::size_t patch) {
-        PatchCheck(context, layout, part, patch, distances, ofPatch[patch]).run();
+        ofPatch[patch] = PatchCheck(context, layout, part, patch, distances).run();
     });
     for (const Report& one : ofPatch)
         report.add(one);

@@ -1,7 +1,6 @@
 #include "base/at.h"
 #include "base/number_text.h"
 #include "base/positions.h"
-#include "check/check_constraints.h"
 #include "check/check_sections.h"
 #include "check/tracks/check_graph.h"
 #include "check/tracks/check_segments.h"
@@ -58,7 +57,7 @@ private:
     }
 
     void constraints(std::span<const ReadTrack> tracks) {
-        checkConstraints(around_, context_.constraints, edgesOn(tracks), GraphOf::mesh, tracksPlace, report_);
+        checkConstraints(context_, edgesOn(tracks), GraphOf::mesh, tracksPlace, report_);
     }
 
     void ids() {

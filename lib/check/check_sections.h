@@ -49,6 +49,20 @@ void checkBaseComplex(const Neighbourhoods& around, const LineNetwork& network, 
 void checkSubMeshes(const Neighbourhoods& around, const std::vector<LineNetwork>& networks,
                     const CutPart& part, Report& report);
 
+/// Reports constraints that are no paths along edges.
+/// \return  whether all are paths
+[[nodiscard]] bool checkConstraintPaths(const Neighbourhoods& around, const ConstraintsPart& constraints,
+                                        Report& report);
+
+/// What a graph belongs to: in one of the whole mesh everything must be that is required.
+enum class GraphOf { mesh, subMesh };
+
+/// Reports constraints that a graph does not keep.
+/// \param present  by edge: whether it belongs to the graph
+/// \param pointer  of the graph's tracks
+void checkConstraints(const Context& context, std::span<const char> present, GraphOf what,
+                      const std::string& pointer, Report& report);
+
 /// Motorcycle graphs of the sub-meshes (docs/METHOD.md#sub-meshes), rightly priced, sorted, and all
 /// different.
 /// \param networks  the lines of every sub-mesh, with the feature seeds

@@ -5,10 +5,10 @@
 #include "document/sections/base_complex_section.h"
 #include "document/sections/constraints_section.h"
 #include "document/sections/cut_section.h"
+#include "document/sections/enumeration_section.h"
 #include "document/sections/features_section.h"
 #include "document/sections/layout_section.h"
 #include "document/sections/mesh_section.h"
-#include "document/sections/read_enumeration.h"
 #include "document/sections/surfaces_section.h"
 
 namespace qm {

@@ -1,5 +1,3 @@
-#include "document/sections/read_enumeration.h"
-
 #include "base/at.h"
 #include "base/positions.h"
 #include "document/options/options_json.h"
