@@ -1,4 +1,5 @@
 /// \file qm-check: checks whether a document is true of its mesh. Only reading is shared with other tools.
+#include "base/number_text.h"
 #include "check/check_document.h"
 #include "check/document/check_history.h"
 #include "check/document/read_document.h"
@@ -43,8 +44,9 @@ int main(int argc, char** argv) {
             tool.protect(found.path);
             tool.protectInput();
             qm::check::Report report;
-            report.verify("schema, and mesh of " + std::to_string(found.mesh.n_vertices()) +
-                          " vertices and " + std::to_string(found.mesh.n_faces()) + " faces");
+            report.verify("schema, and mesh of " +
+                          qm::countText(found.mesh.n_vertices(), "vertex", "vertices") + " and " +
+                          qm::countText(found.mesh.n_faces(), "face"));
             qm::check::checkHistory(document.root, report);
             report = qm::check::checkDocument(pointsAndFaces(found.mesh),
                                               qm::check::readDocument(document.root), report, tool.jobs());

@@ -37,8 +37,10 @@ template <class Number> [[nodiscard]] std::string numberText(Number value) {
 }
 
 /// "1 hole", "2 holes".
-[[nodiscard]] inline std::string countText(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+/// \param several  the noun's plural, if that is not the noun with an s
+[[nodiscard]] inline std::string countText(std::size_t count, const std::string& noun,
+                                           const std::string& several = {}) {
+    return std::to_string(count) + " " + (count == 1 ? noun : several.empty() ? noun + "s" : several);
 }
 
 /// Turns -0 into 0, so that a number keeps its text when other programs rewrite a document.

@@ -1,5 +1,6 @@
 #include "check/check_document.h"
 
+#include "base/number_text.h"
 #include "base/or_null.h"
 #include "check/check_sections.h"
 #include "check/mesh/angles.h"
@@ -8,10 +9,6 @@
 namespace qm::check {
 
 namespace {
-
-std::string count(std::size_t number, const std::string& singular, const std::string& plural) {
-    return std::to_string(number) + " " + (number == 1 ? singular : plural);
-}
 
 class DocumentCheck {
 public:
@@ -41,18 +38,18 @@ private:
     void baseComplex() {
         if (!document_.baseComplex) return;
         const auto& part = *document_.baseComplex;
-        section(
-            [&] { checkBaseComplex(around_, traceLines(around_, {}).front(), part, report_); },
-            "base complex: " +
-                count(part.extraordinaryVertices.size(), "extraordinary vertex", "extraordinary vertices") +
-                ", " + count(part.separatrices.size(), "separatrix", "separatrices") + ", " +
-                std::to_string(part.ordinaryJunctions) + " ordinary junctions");
+        section([&] { checkBaseComplex(around_, traceLines(around_, {}).front(), part, report_); },
+                "base complex: " +
+                    countText(part.extraordinaryVertices.size(), "extraordinary vertex",
+                              "extraordinary vertices") +
+                    ", " + countText(part.separatrices.size(), "separatrix", "separatrices") + ", " +
+                    countText(static_cast<std::size_t>(part.ordinaryJunctions), "ordinary junction"));
     }
 
     bool features(TraceInput& sources) {
         if (!document_.features) return true;
         return section([&] { sources.seedSteps = checkFeatures(around_, *document_.features, report_); },
-                       "features: " + count(document_.features->curves.size(), "curve", "curves"));
+                       "features: " + countText(document_.features->curves.size(), "curve"));
     }
 
     bool labels(TraceInput& sources) {
@@ -67,7 +64,7 @@ private:
         networks_ = traceLines(around_, sources);
         if (document_.cut)
             section([&] { checkSubMeshes(around_, networks_, *document_.cut, report_); },
-                    "cut: " + count(document_.cut->subMeshes.size(), "sub-mesh", "sub-meshes"));
+                    "cut: " + countText(document_.cut->subMeshes.size(), "sub-mesh", "sub-meshes"));
     }
 
     void priced(const TraceInput& sources) {
@@ -89,22 +86,22 @@ private:
         for (const auto& subMesh : part.subMeshes)
             graphs += subMesh.graphs.size();
         section([&] { checkEnumeration(context, networks_, orNull(document_.baseComplex), part, report_); },
-                "enumeration: " + count(graphs, "graph", "graphs") + " of " +
-                    count(part.subMeshes.size(), "sub-mesh", "sub-meshes"));
+                "enumeration: " + countText(graphs, "graph") + " of " +
+                    countText(part.subMeshes.size(), "sub-mesh", "sub-meshes"));
     }
 
     bool layout(const Context& context) {
         const auto& part = *document_.layout;
         return section([&] { checkLayout(context, networks_.front(), part, report_); },
-                       "layout: " + count(part.tracks.size(), "track", "tracks") + ", " +
-                           count(part.segments.size(), "segment", "segments"));
+                       "layout: " + countText(part.tracks.size(), "track") + ", " +
+                           countText(part.segments.size(), "segment"));
     }
 
     void surfaces(const Context& context) {
         if (!document_.surfaces) return;
         const auto& part = *document_.surfaces;
         const bool sound = section([&] { checkSurfaces(mesh_, around_, *document_.layout, part, report_); },
-                                   "surfaces: " + count(part.patches.size(), "patch", "patches"));
+                                   "surfaces: " + countText(part.patches.size(), "patch", "patches"));
         if (sound && part.figures["maxFromFacets"])
             section([&] { checkFigures(context, *document_.layout, part, jobs_, report_); },
                     "deviation: no figure is less than what is measured");

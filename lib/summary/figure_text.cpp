@@ -2,6 +2,7 @@
 
 #include "base/number_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace qm {
@@ -18,8 +19,8 @@ std::string figureText(double value) {
 }
 
 std::string pointText(const Point& point, double extent) {
-    constexpr double rounding = 1e-12; // what it leaves of zero, beside the other coordinates
-    const double nothing = rounding * point.norm();
+    constexpr double rounding = 1e-12; // what it leaves of zero, beside the other coordinates and the model
+    const double nothing = rounding * std::max(point.norm(), extent);
     // So many digits behind the point as tell places on the model apart, where three do not.
     const int digits = extent > 0 ? static_cast<int>(std::ceil(2 - std::log10(extent))) : 0;
     std::string text;

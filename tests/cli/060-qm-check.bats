@@ -29,6 +29,16 @@ untrue() {
     done
 }
 
+@test "one of a kind is told in the singular" {
+    printf 'v %s\n' '0 0 0' '1 0 0' '1 1 0' '0 1 0' >one.obj
+    echo 'f 1 2 3 4' >>one.obj
+    qm-basecomplex --quiet one.obj | qm-cut | qm-enum | qm-merge | qm-bspline >one.json
+    quietly qm-check one.json
+    assert_line --index 0 'ok: schema, and mesh of 4 vertices and 1 face'
+    assert_line 'ok: enumeration: 1 graph of 1 sub-mesh'
+    assert_line 'ok: layout: 0 tracks, 1 segment'
+}
+
 @test "every section is in the summary" {
     quietly qm-check "$(stage surfaces block)"
     for section in 'base complex' features cut enumeration layout surfaces; do

@@ -1,22 +1,16 @@
 #include "check/document/report.h"
 
+#include "base/number_text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace qm::check {
-
-namespace {
-
-std::string violations(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " violation" : " violations");
-}
-
-} // namespace
 
 std::string reportText(const Report& report) {
     std::string text;
     for (const std::string& what : report.verified())
         text += "ok: " + what + "\n";
-    return text + (report.ok() ? "true\n" : "false: " + violations(report.total()) + "\n");
+    return text + (report.ok() ? "true\n" : "false: " + countText(report.total(), "violation") + "\n");
 }
 
 std::string reportJson(const Report& report) {
@@ -37,7 +31,7 @@ std::vector<std::string> violationLines(const Report& report, std::size_t max) {
         lines.push_back((each.pointer.empty() ? "" : each.pointer + ": ") + each.rule + ": " +
                         each.explanation);
     }
-    if (report.total() > lines.size()) lines.push_back(violations(report.total()) + " in all");
+    if (report.total() > lines.size()) lines.push_back(countText(report.total(), "violation") + " in all");
     return lines;
 }
 

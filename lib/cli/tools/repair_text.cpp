@@ -1,6 +1,7 @@
 #include "cli/tools/repair_text.h"
 
 #include "base/joined.h"
+#include "base/number_text.h"
 
 #include <initializer_list>
 #include <vector>
@@ -17,7 +18,7 @@ struct Count {
 std::string listOf(std::initializer_list<Count> counts) {
     std::vector<std::string> texts;
     for (const auto& [count, one, several] : counts)
-        if (count > 0) texts.push_back(std::to_string(count) + " " + (count == 1 ? one : several));
+        if (count > 0) texts.push_back(countText(count, one, several));
     return joined(texts);
 }
 

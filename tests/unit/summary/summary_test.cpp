@@ -23,6 +23,7 @@ TEST(FigureText, PointsLeaveOutWhatRoundingLeft) {
     EXPECT_EQ(pointText({1000001.2345, -1.5, 0}, 4.7), "(1000001.23, -1.5, 0)");
     EXPECT_EQ(pointText({1000001.2345, -1.5, 0}, 47000), "(1000001, -1.5, 0)");
     EXPECT_EQ(pointText({0, 0, 0}, 0), "(0, 0, 0)");
+    EXPECT_EQ(pointText({7.9e-18, -1.8e-17, 0}, 1.4), "(0, 0, 0)");
 }
 
 /// The summary of a closed mesh whose surfaces keep their tolerance.
