@@ -89,7 +89,7 @@ benchmarks  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/*.cpp))
 tables      := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/search/*.cpp))
 bench_parts := $(addprefix $(O)/tests/bench/,plain_cbc.o sample_models.o search_problem.o staircase.o)
 programs    := $(patsubst tests/programs/%.cpp,$(O)/tests/%,$(wildcard tests/programs/*.cpp))
-samples     := $(addprefix $(O)/tests/support/,checked_mesh.o polycube.o sample_document.o)
+samples     := $(addprefix $(O)/tests/support/,polycube.o sample_document.o)
 fuzzers     := $(patsubst tests/fuzz/%.cpp,$(O)/fuzz/%,$(wildcard tests/fuzz/*_fuzz.cpp))
 parts       := unit property programs cli layers schemas docs
 
@@ -202,7 +202,7 @@ $(library): $(O)/objects
 gtest = -lgtest_main -lgtest
 
 # Small programs that scripts ask: no tools. One of them borrows the checker's readers.
-$(O)/tests/measure-surfaces: $(addprefix $(O)/tests/,programs/measure/subdivision.o support/checked_mesh.o) $(library)
+$(O)/tests/measure-surfaces: $(O)/tests/programs/measure/subdivision.o $(library)
 $(O)/tests/refine: $(library)
 $(programs): $(O)/tests/%: $(O)/tests/programs/%.o
 	@mkdir -p $(@D)

@@ -9,33 +9,18 @@
 #include "document/document.h"
 #include "document/sections/mesh_section.h"
 
-#include <algorithm>
-
-namespace {
-/// The points and faces of a mesh as its file lists them.
-qm::check::CheckedMesh pointsAndFaces(const qm::QuadMesh& mesh) {
-    qm::check::CheckedMesh result;
-    for (const auto vertex : mesh.vertices())
-        result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
-    for (const auto face : mesh.faces())
-        std::ranges::transform(mesh.fv_range(face), result.quads.emplace_back().begin(),
-                               [](const auto vertex) { return vertex.idx(); });
-    return result;
-}
-
-} // namespace
-
 int main(int argc, char** argv) {
     std::string meshPath;
     bool asJson = false;
     return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
         tool.explain(
             "Recomputes what follows from the mesh, in code of its own, and tests whether the rest agrees. "
-            "Each violation is reported in a line with the JSON pointer of its place.");
+            "The first twenty violations are reported, in a line each, with the JSON pointer of their "
+            "places.");
         tool.reads("DOCUMENT", "a document of any kind");
         tool.text("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
         tool.writes("what was verified, and the verdict");
-        tool.option("json", asJson, "write the report as JSON, with every violation");
+        tool.option("json", asJson, "write the report as JSON, with the first thousand violations");
         tool.example("qm-check part.layout.json");
         tool.example("qm-check --json part.surfaces.json | jq .ok");
         return [&]() -> int {
@@ -48,7 +33,7 @@ int main(int argc, char** argv) {
                           qm::countText(found.mesh.n_vertices(), "vertex", "vertices") + " and " +
                           qm::countText(found.mesh.n_faces(), "face"));
             qm::check::checkHistory(document.root, report);
-            report = qm::check::checkDocument(pointsAndFaces(found.mesh),
+            report = qm::check::checkDocument(qm::check::checkedMesh(found.mesh),
                                               qm::check::readDocument(document.root), report, tool.jobs());
             constexpr std::size_t linesShown = 20;
             for (const std::string& line : qm::check::violationLines(report, linesShown))

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
             tool.writes("the exported file");
             tool.option("format", format, "the output format");
             tool.option("unit", options.unit, "the mesh's unit, as declared in STEP and IGES");
+            options.name.clear(); // if none is given, the mesh file's
             tool.text("name", options.name, "NAME",
                       "name of the product in STEP and IGES, instead of the mesh file's name");
             tool.text("date", date, "DATE",
@@ -44,7 +45,8 @@ int main(int argc, char** argv) {
             return [&tool, &options, &date, stage] {
                 const qm::Model& model = stage->read(qm::neededKind(options));
                 tool.protectInput();
-                if (!tool.given("name")) options.name = std::filesystem::path(model.meshPath).stem().string();
+                if (options.name.empty())
+                    options.name = std::filesystem::path(model.meshPath).stem().string();
                 if (!date.empty()) options.date = qm::exportDate(date, model.meshPath);
                 const qm::Exported result =
                     qm::exportModel(model.mesh, *model.layout, qm::orNull(model.surfaces), options);

@@ -4,12 +4,13 @@
 #include "cli/tools/export_choices.h"
 #include "document/summary_json.h"
 
+#include <cmath>
 #include <filesystem>
 
 int main(int argc, char** argv) {
     qm::LengthUnit unit = qm::LengthUnit::mm;
     std::size_t maxPatches = 0;
-    double seconds = 0;
+    double seconds = qm::infinity; // not known
     bool asJson = false;
     qm::Limits limits;
     return qm::runTool(
@@ -36,7 +37,7 @@ int main(int argc, char** argv) {
                 tool.protectInput();
                 const qm::JsonPlace history = qm::JsonPlace(stage->document().root)["history"];
                 if (tool.given("max-patches")) limits.maxPatches = maxPatches;
-                const auto took = tool.given("seconds") ? std::optional(seconds) : std::nullopt;
+                const auto took = std::isfinite(seconds) ? std::optional(seconds) : std::nullopt;
                 const std::string name = std::filesystem::path(model.meshPath).filename().string();
                 const std::string unitName(qm::choiceName(unit));
                 const qm::Summary summary =

@@ -42,12 +42,21 @@ refuses_unknown_options() {
 
 refuses_values_of_flags() {
     local value
-    for value in 1 no false x; do
+    for value in 1 no false true x ''; do
         misused "$1" "--verbose=$value"
         assert_regex "$stderr" '--verbose: takes no value'
     done
 }
 @test "a flag with a value is a usage error" { for_every_tool refuses_values_of_flags; }
+
+accepts_its_defaults() {
+    local name value
+    while read -r name value; do
+        captured "$1" "$name" "$value" no-such-file
+        refute_regex "$stderr" "$name: "
+    done < <("$1" --json-usage | jq -r '.options[] | select(has("default") and .name != "--jobs") | "\(.name) \(.default)"')
+}
+@test "a default that --help tells may be given" { for_every_tool accepts_its_defaults; }
 
 refuses_extra_operands() { misused "$1" a b c d e; }
 @test "too many operands are a usage error" { for_every_tool refuses_extra_operands; }

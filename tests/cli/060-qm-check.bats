@@ -65,6 +65,17 @@ untrue() {
     quietly qm-check --mesh moved.obj <document.json
 }
 
+@test "what --help says of the violations that are told" {
+    spoilt '.cut.labels |= map(99)' cut
+    captured qm-check --json spoilt.json -o report.json
+    assert_equal "$status" 1
+    assert_equal "$(jq -c '[.violationCount > 3000, (.violations | length)]' report.json)" '[true,1000]'
+    assert_equal "$(grep -c /cut/labels <<<"$stderr")" 20
+    run qm-check --help
+    assert_output --regexp 'first twenty violations'
+    assert_output --regexp 'first thousand violations'
+}
+
 @test "another mesh" {
     sed 's/^v \([^ ]*\)/v 1\1/' "$(sample block)" >other.obj
     complains qm-check --mesh other.obj "$(stage layout block)"

@@ -419,6 +419,11 @@ END
     assert [ "${counts[0]}" != "${counts[1]}" ]
     # What lies in the plane itself stays.
     assert [ "${counts[2]}" -lt "${counts[1]}" ]
+    # The page takes the very share, whatever the steps of its slider.
+    qm-view --section x:0.0123 "$(stage layout block)" >page.html
+    echo "<script>document.body.dataset.share = document.getElementById('section-share').value;</script>" >>page.html
+    seen page.html >census
+    grep -q 'data-share="0.0123"' dom
     misused qm-view --section a:0.5 "$(stage layout block)"
     misused qm-view --section x:2 "$(stage layout block)"
 }

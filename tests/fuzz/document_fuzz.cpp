@@ -3,13 +3,13 @@
 #include "base/error.h"
 #include "check/check_document.h"
 #include "check/document/read_document.h"
+#include "check/mesh/neighbourhoods.h"
 #include "document/document.h"
 #include "document/model.h"
 #include "document/sections/enumeration_section.h"
 #include "document/sections/features_section.h"
 #include "merge/merge.h"
 #include "prune/prune_optimum.h"
-#include "support/checked_mesh.h"
 #include "support/sample_document.h"
 
 #include <algorithm>
@@ -148,7 +148,7 @@ struct Sample {
             qm::test::dividedCubes(small ? qm::test::box(2, 1, 1) : qm::test::bump(), small ? 1 : 3);
         root = qm::test::sampleDocument(folder, kind, quads).root;
         if (kind < qm::Kind::enumeration) demand(root);
-        mesh = qm::test::checkedMesh(quads);
+        mesh = qm::check::checkedMesh(quads);
     }
 
     qm::test::TemporaryFolder folder;

@@ -6,6 +6,7 @@
 /// document has them. Nothing is shared with lib/bspline. Lengths are shares of the bounding box's diagonal,
 /// angles are in degrees. Places within one edge of a folded or flat quad count as `besideBad`.
 #include "check/document/read_document.h"
+#include "check/mesh/neighbourhoods.h"
 #include "check/mesh/vectors.h"
 #include "check/surfaces/distance.h"
 #include "check/surfaces/patch_borders.h"
@@ -15,7 +16,6 @@
 #include "document/document.h"
 #include "document/sections/mesh_section.h"
 #include "programs/measure/subdivision.h"
-#include "support/checked_mesh.h"
 
 #include <nlohmann/json.hpp>
 
@@ -395,7 +395,7 @@ int main(int argc, char** argv) {
         const qm::Document parsed = qm::parseDocument(text, argv[1]);
         const auto document = qm::check::readDocument(parsed.root);
         if (!document.layout || !document.surfaces) throw std::runtime_error("the document has no surfaces");
-        const auto mesh = qm::test::checkedMesh(
+        const auto mesh = qm::check::checkedMesh(
             qm::readMeshOf(qm::JsonPlace(parsed.root)["mesh"], parsed.path, argc > 2 ? argv[2] : "").mesh);
         std::cout << measure::Measurement(mesh, document).run() << '\n';
     } catch (const std::exception& error) {

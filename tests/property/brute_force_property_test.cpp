@@ -2,10 +2,10 @@
 // number of graphs, the minimum and the best graphs must agree.
 #include "base/at.h"
 #include "basecomplex/arc_graph.h"
+#include "check/mesh/neighbourhoods.h"
 #include "enumerate/diagram/count_and_draw.h"
 #include "enumerate/optimum/optimum.h"
 #include "support/brute_force.h"
-#include "support/checked_mesh.h"
 #include "support/random_graph.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ double costOf(int one, int other) {
 
 /// The costs of all graphs, ascending; nothing if trying everything would take too long.
 std::optional<std::vector<double>> triedOut(const QuadMesh& mesh) {
-    const check::Neighbourhoods around(checkedMesh(mesh));
+    const check::Neighbourhoods around(check::checkedMesh(mesh));
     check::EdgeCosts costs{std::vector(static_cast<std::size_t>(around.edges()), 0.0), {}};
     for (int step = 0; step < around.steps(); ++step)
         costs.cost[at(around.edge(step))] = costOf(around.from(step), around.to(step));

@@ -1,8 +1,8 @@
 // Checks the plain motorcycle graph of random meshes against rules A1 to A4 and the arc rules.
 #include "base/at.h"
+#include "check/mesh/neighbourhoods.h"
 #include "check/tracks/check_graph.h"
 #include "enumerate/paper/plain_graph.h"
-#include "support/checked_mesh.h"
 #include "support/random_graph.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<check::ReadTrack> read(const QuadMesh& mesh, const check::Neighbourh
 /// All rules that the graph breaks, one per line.
 std::string brokenRules(const QuadMesh& mesh, const std::vector<Seed>& seeds,
                         const std::vector<Track>& tracks) {
-    const check::Neighbourhoods around(checkedMesh(mesh));
+    const check::Neighbourhoods around(check::checkedMesh(mesh));
     check::TraceInput input;
     for (const Seed& seed : seeds)
         input.seedSteps.push_back(around.stepBetween(mesh.from_vertex_handle(seed.direction).idx(),

@@ -17,6 +17,20 @@ struct CheckedMesh {
     std::vector<std::array<int, 4>> quads; ///< counter-clockwise, in file order
 };
 
+/// The points and faces of a mesh of another type, in their order.
+/// \param mesh  of quads, with the functions of OpenMesh
+template <class Mesh> [[nodiscard]] CheckedMesh checkedMesh(const Mesh& mesh) {
+    CheckedMesh result;
+    for (const auto vertex : mesh.vertices())
+        result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
+    for (const auto face : mesh.faces()) {
+        auto corner = result.quads.emplace_back().begin();
+        for (const auto vertex : mesh.fv_range(face))
+            *corner++ = vertex.idx();
+    }
+    return result;
+}
+
 /// A *step* is one vertex's view of one of its edges: it leads from that vertex to the neighbour across.
 /// The steps of a vertex are consecutive numbers, counter-clockwise; those of a boundary vertex begin and
 /// end on the boundary. An edge is two steps, each the other's `back`.

@@ -14,22 +14,25 @@ std::string withSmallStart(std::string text) {
 }
 
 /// The words of a command line, the last one first, as CLI11 takes them. It would take the word behind
-/// "--mesh=" for the value, which is empty.
-std::vector<std::string> wordsOf(int argc, char** argv, const std::vector<OptionRecord>& options) {
-    const auto lacksValue = [&](std::string_view word) {
-        return std::ranges::any_of(options, [&](const OptionRecord& option) {
-            return option.type != OptionRecord::Type::flag && word == "--" + option.name + "=";
-        });
-    };
+/// "--mesh=" for the value, which is empty, and "--quiet=true" for "--quiet".
+/// \param problem  set if a flag has a value
+std::vector<std::string> wordsOf(int argc, char** argv, const std::vector<OptionRecord>& options,
+                                 std::string& problem) {
     std::vector<std::string> words;
     bool mayBeOption = true;
     for (int k = 1; k < argc; ++k) {
         std::string word = argv[k];
         mayBeOption = mayBeOption && word != "--";
-        const bool isSplit = mayBeOption && lacksValue(word);
+        const std::size_t equals = mayBeOption ? word.find('=') : std::string::npos;
+        const auto option = std::ranges::find(options, word.substr(0, equals),
+                                              [](const OptionRecord& known) { return "--" + known.name; });
+        const bool isKnown = equals != std::string::npos && option != options.end();
+        if (isKnown && option->type == OptionRecord::Type::flag)
+            problem = "--" + option->name + ": takes no value";
+        const bool isSplit = isKnown && equals + 1 == word.size();
         if (isSplit) word.pop_back();
         words.push_back(std::move(word));
-        if (isSplit) words.emplace_back();
+        if (isSplit && option->type != OptionRecord::Type::flag) words.emplace_back();
     }
     std::ranges::reverse(words);
     return words;
@@ -77,17 +80,12 @@ CommandLine readCommandLine(int argc, char** argv, const std::vector<OptionRecor
             bound[i] = app.add_option(flags, texts[i])->type_name(option.placeholder);
         bound[i]->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     }
-    parse(app, wordsOf(argc, argv, options));
-
     CommandLine line;
+    parse(app, wordsOf(argc, argv, options, line.problem));
     for (std::size_t i = 0; i < options.size(); ++i) {
         if (bound[i]->count() == 0) continue;
         line.given.insert(options[i].name);
-        const bool hasValue =
-            std::ranges::any_of(bound[i]->results(), [](const auto& text) { return text != "true"; });
-        const std::string problem = options[i].type == OptionRecord::Type::flag && hasValue
-                                        ? "takes no value"
-                                        : options[i].assign(texts[i]);
+        const std::string problem = options[i].assign(texts[i]);
         if (!problem.empty() && line.problem.empty()) line.problem = "--" + options[i].name + ": " + problem;
     }
     takeOperands(app.remaining(), line);

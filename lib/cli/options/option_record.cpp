@@ -54,7 +54,7 @@ requires std::is_arithmetic_v<Number> OptionRecord makeOption(const std::string&
         const auto number = static_cast<double>(value);
         return std::isfinite(number) ? numberText(number) : std::string();
     };
-    // A default that cannot be given stands for none.
+    // A default that cannot be given stands for none, here and below.
     if (const auto number = static_cast<double>(value); number >= range.min && number <= range.max)
         result.defaultText = show();
     result.show = show;
@@ -72,7 +72,7 @@ template OptionRecord makeOption(const std::string&, double&, const Range&, cons
 OptionRecord makeOption(const std::string& name, Length& value, const Range& range, const std::string& help) {
     OptionRecord result = record(OptionRecord::Type::text, name, help);
     result.placeholder = "X[%]";
-    result.defaultText = lengthText(value);
+    if (value.value >= range.min) result.defaultText = lengthText(value);
     result.show = [&value] { return lengthText(value); };
     result.assign = [&value, range](const std::string& text) {
         Length length;

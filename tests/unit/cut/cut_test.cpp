@@ -1,9 +1,9 @@
 #include "base/at.h"
+#include "check/mesh/neighbourhoods.h"
 #include "check/tracks/lines.h"
 #include "cut/cut.h"
 #include "mesh/dihedral.h"
 #include "mesh/topology.h"
-#include "support/checked_mesh.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 #include "support/shared_meshes.h"
@@ -35,7 +35,7 @@ Cut cutAt(const QuadMesh& mesh, const CutOptions& options, std::span<const Seed>
 /// U and n_j must equal what the checker, which traces its own lines, computes from the labels.
 void expectTrueFigures(const QuadMesh& mesh, std::span<const Seed> seeds,
                        const std::vector<SubMeshId>& labels, const IdVector<SubMeshId, SubMesh>& subMeshes) {
-    const check::Neighbourhoods around(checkedMesh(mesh));
+    const check::Neighbourhoods around(check::checkedMesh(mesh));
     check::TraceInput input;
     for (const Seed seed : seeds)
         input.seedSteps.push_back(around.stepBetween(mesh.from_vertex_handle(seed.direction).idx(),
