@@ -3,20 +3,15 @@
 usage: meshers.py gmsh_surface|gmsh_volume|netgen_volume FILE
 """
 
-import json
-import os
 import subprocess
 import sys
 import tempfile
 
 import shapes
+from shapes import verdict
 
 SIZE = 0.05  # of elements, as a share of the diagonal
 TRIANGLE, TETRAHEDRON = 2, 4  # in gmsh's files
-
-
-def verdict(ok, note=""):
-    return {"ok": bool(ok), "note": "" if ok else note}
 
 
 def tetrahedron_volume(corners):
@@ -74,15 +69,9 @@ def netgen_volume(path):
 
 
 def main():
-    answers = os.dup(1)
-    os.dup2(2, 1)  # libraries talk on standard output
     operation, path = sys.argv[1:]
-    try:
-        result = {"gmsh_surface": gmsh_surface, "gmsh_volume": gmsh_volume, "netgen_volume": netgen_volume}[operation](path)
-    except Exception as error:  # Netgen throws many kinds
-        result = verdict(False, (" ".join(str(error).split()) or type(error).__name__)[:80])
-    os.write(answers, (json.dumps(result) + "\n").encode())
-    os._exit(0)
+    meshers = {mesher.__name__: mesher for mesher in (gmsh_surface, gmsh_volume, netgen_volume)}
+    shapes.answer(lambda: meshers[operation](path))
 
 
 main()

@@ -6,13 +6,12 @@ usage: operations.py OPERATION FILE [NUMBER]
 """
 
 import collections
-import json
 import math
-import os
 import sys
 
 import shapes
 from FreeCAD import Vector
+from shapes import failure, verdict
 
 Part = shapes.Part
 
@@ -22,14 +21,6 @@ DEFLECTION = 0.001  # of tessellations
 SHARP = math.radians(20)  # between the normals of two faces
 FILLETS = 12  # edges tried, the longest
 ARCS, INTERSECTIONS = 0, 2  # how an offset joins faces
-
-
-def verdict(ok, note=""):
-    return {"ok": bool(ok), "note": "" if ok else note}
-
-
-def describe(error):
-    return (" ".join(str(error).split()) or type(error).__name__)[:80]
 
 
 def valid(shape):
@@ -115,7 +106,7 @@ def any_join(make):
         try:
             answer = make(join)
         except Exception as error:  # FreeCAD throws many kinds
-            answer = verdict(False, describe(error))
+            answer = failure(error)
         if answer["ok"]:
             return answer
         notes.append(answer["note"])
@@ -186,17 +177,9 @@ def tessellation(shape):
 
 
 def main():
-    sys.stdout.flush()
-    answers = os.dup(1)
-    os.dup2(2, 1)  # libraries talk on standard output
     operation, path = sys.argv[1:3]
     numbers = [int(text) for text in sys.argv[3:]]
-    try:
-        result = globals()[operation](shapes.read(path), *numbers)
-    except Exception as error:  # FreeCAD throws many kinds
-        result = verdict(False, describe(error))
-    os.write(answers, (json.dumps(result) + "\n").encode())
-    os._exit(0)  # destructors of broken shapes may fail
+    shapes.answer(lambda: globals()[operation](shapes.read(path), *numbers))
 
 
 main()

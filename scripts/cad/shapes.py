@@ -1,6 +1,8 @@
-"""Shapes through FreeCAD: found where Debian keeps it, and what all operations ask of a shape."""
+"""Shapes through FreeCAD: found where Debian keeps it, what all operations ask of a shape, and how they answer."""
 
+import json
 import math
+import os
 import sys
 
 sys.path.append("/usr/lib/freecad-python3/lib")
@@ -36,3 +38,24 @@ def mesh(shape, deflection):
 def volume(shape):
     """Of a mesh of it: the integrals that OpenCASCADE computes over trimmed spline faces are off by up to a per cent."""
     return mesh(shape, 3e-4).Volume
+
+
+def verdict(ok, note=""):
+    return {"ok": bool(ok), "note": "" if ok else note}
+
+
+def failure(error):
+    return verdict(False, (" ".join(str(error).split()) or type(error).__name__)[:80])
+
+
+def answer(operation):
+    """Prints what an operation says as one line of JSON, and ends the process."""
+    sys.stdout.flush()
+    answers = os.dup(1)
+    os.dup2(2, 1)  # libraries talk on standard output
+    try:
+        result = operation()
+    except Exception as error:  # FreeCAD and Netgen throw many kinds
+        result = failure(error)
+    os.write(answers, (json.dumps(result) + "\n").encode())
+    os._exit(0)  # destructors of broken shapes may fail
