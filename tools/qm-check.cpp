@@ -18,7 +18,9 @@ int main(int argc, char** argv) {
             "The first twenty violations are reported, in a line each, with the JSON pointer of their "
             "places.");
         tool.reads("DOCUMENT", "a document of any kind");
+        tool.group(qm::Tool::generalOptions);
         tool.text("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
+        tool.group(qm::Tool::ownOptions);
         tool.writes("what was verified, and the verdict");
         tool.option("json", asJson, "write the report as JSON, with the first thousand violations");
         tool.example("qm-check part.layout.json");

@@ -442,6 +442,12 @@ END
     assert_regex "$stderr" 'no layer cuts'
 }
 
+@test "--compare warns of keys that look misspelt in the other document, too" {
+    jq '.constrants = {}' "$(stage basecomplex block)" >other.json
+    captured qm-view "$(stage basecomplex block)" --compare other.json -o page.html
+    assert_equal "$status:$stderr" "0:qm-view: other.json: /constrants: no tool reads this key. Is it 'constraints'?"
+}
+
 @test "pages are small" {
     qm-view "$(stage surfaces block)" >page.html
     assert [ "$(stat -c %s page.html)" -lt 2000000 ]

@@ -6,6 +6,7 @@
 #include "cli/system/output_file.h"
 #include "cli/tools/scan_input.h"
 #include "document/files/files.h"
+#include "document/schema/misspelt_keys.h"
 #include "document/summary_json.h"
 #include "mesh/bounding_box.h"
 #include "view/build_scene.h"
@@ -67,8 +68,10 @@ struct OtherDocument {
         : document(parseDocument(readFile(path), path)), model(readWholeModel(document)) {
         tool.protect(path, "is the document that is compared");
         tool.protect(model.meshPath);
-        for (const std::string& note : model.notes)
-            tool.warn(displayName(path).append(": ").append(note));
+        std::vector<std::string> sentences = misspeltKeys(document.root, document.root["kind"]);
+        sentences.insert(sentences.end(), model.notes.begin(), model.notes.end());
+        for (const std::string& sentence : sentences)
+            tool.warn(displayName(path).append(": ").append(sentence));
     }
     Document document;
     Model model;
