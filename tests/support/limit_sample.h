@@ -31,7 +31,7 @@ inline std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, std::vector<bo
 inline std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layout& layout,
                                                const std::vector<bool>& isCrease, int steps, unsigned jobs) {
     const auto sharp = creasesAndBoundary(mesh, isCrease);
-    return qm::limitSurface(mesh, layout, vertexRules(mesh, layout, sharp), sharp, steps, jobs);
+    return qm::limitSurface(mesh, layout, {vertexRules(mesh, layout, sharp), sharp}, steps, jobs);
 }
 
 /// A mesh, and the limit surface of its subdivision on a lattice of four steps an edge.
@@ -49,14 +49,16 @@ struct LimitSample {
         const ControlMesh control = interpolatingControlMesh(mesh, rules);
         MeshLattice lattice(mesh, control.points);
         for (int k = 0; k < 2; ++k)
-            lattice = lattice.subdivided(rules, isCrease, 1);
-        limit = lattice.limit(rules, isCrease, 1);
+            lattice = lattice.subdivided(sharpness(), 1);
+        limit = lattice.limit(sharpness(), 1);
     }
+
+    [[nodiscard]] Sharpness sharpness() const { return {rules, isCrease}; }
 
     /// No vertex is bound to a plane.
     [[nodiscard]] PlaneCorners noPlanes() const {
         constexpr double never = -1;
-        return {limit, rules, isCrease, never, 1};
+        return {limit, sharpness(), never, 1};
     }
 };
 

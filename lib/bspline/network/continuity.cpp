@@ -1,7 +1,6 @@
 #include "bspline/network/continuity.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 
@@ -10,10 +9,9 @@ namespace {
 
 /// The knots of both strips strictly between two parameters, ascending; each as often as in the strip that
 /// has it more often.
-std::vector<double> knotsBetween(double begin, double end, const BorderStrip& first,
-                                 const BorderStrip& second) {
+std::vector<double> knotsBetween(double begin, double end, const StripPair& strips) {
     std::vector<double> knots;
-    std::ranges::set_union(first.knots(), second.knots(), std::back_inserter(knots));
+    std::ranges::set_union(strips[0].knots(), strips[1].knots(), std::back_inserter(knots));
     std::erase_if(knots, [&](double knot) { return knot <= begin || knot >= end; });
     return knots;
 }
@@ -41,12 +39,12 @@ std::vector<RefinedPoint> refinedPoints(double begin, double end, const std::vec
 }
 
 /// Where the tangent ratio is zero, both sides' derivatives are splines of one kind.
-void addOppositeDerivatives(double begin, double end, const BorderStrip& first, const BorderStrip& second,
+void addOppositeDerivatives(double begin, double end, const StripPair& strips,
                             std::vector<LinearForm>& equations) {
-    for (const RefinedPoint& point : refinedPoints(begin, end, knotsBetween(begin, end, first, second))) {
+    for (const RefinedPoint& point : refinedPoints(begin, end, knotsBetween(begin, end, strips))) {
         LinearForm form;
-        first.addBlossom(Across::derivative, point.at, point.within, 1, form);
-        second.addBlossom(Across::derivative, point.at, point.within, 1, form);
+        for (const BorderStrip& strip : strips)
+            strip.addBlossom(Across::derivative, point.at, point.within, 1, form);
         equations.push_back(std::move(form));
     }
 }
@@ -55,11 +53,12 @@ void addOppositeDerivatives(double begin, double end, const BorderStrip& first, 
 /// derivatives across are. It is if the ratio is linear; where it is quadratic, the border has to be, too.
 /// Then an equation holds if it does at four places. To demand it at five would come to the same, but in
 /// short intervals the fifth hardly differs from the others, and rounding decides.
-void addCollocation(const SmoothRun& run, double begin, double end, const BorderStrip& first,
-                    const BorderStrip& second, std::vector<LinearForm>& equations) {
+void addCollocation(const SmoothRun& run, double begin, double end, const StripPair& strips,
+                    std::vector<LinearForm>& equations) {
     constexpr int places = 4; // as many as a cubic has coefficients
+    const BorderStrip& first = strips[0];
     std::vector<double> ends{begin};
-    for (const double knot : knotsBetween(begin, end, first, second))
+    for (const double knot : knotsBetween(begin, end, strips))
         if (knot > ends.back()) ends.push_back(knot);
     ends.push_back(end);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
@@ -74,8 +73,8 @@ void addCollocation(const SmoothRun& run, double begin, double end, const Border
         for (int place = 0; place < places; ++place) {
             const double at = ends[k] + (ends[k + 1] - ends[k]) * place / (places - 1);
             LinearForm form;
-            first.addValue(Across::derivative, at, middle, 1, form);
-            second.addValue(Across::derivative, at, middle, 1, form);
+            for (const BorderStrip& strip : strips)
+                strip.addValue(Across::derivative, at, middle, 1, form);
             first.addDerivativeAlong(at, middle, -run.ratio(at - run.begin), form);
             equations.push_back(std::move(form));
         }
@@ -84,35 +83,34 @@ void addCollocation(const SmoothRun& run, double begin, double end, const Border
 
 } // namespace
 
-void addPositionEquations(const Stretch& stretch, const BorderStrip& first, const BorderStrip& second,
+void addPositionEquations(const Stretch& stretch, const StripPair& strips,
                           std::vector<LinearForm>& equations) {
     const double end = stretch.length();
-    for (const RefinedPoint& point : refinedPoints(0, end, knotsBetween(0, end, first, second))) {
+    for (const RefinedPoint& point : refinedPoints(0, end, knotsBetween(0, end, strips))) {
         LinearForm form;
-        first.addBlossom(Across::position, point.at, point.within, 1, form);
-        second.addBlossom(Across::position, point.at, point.within, -1, form);
+        strips[0].addBlossom(Across::position, point.at, point.within, 1, form);
+        strips[1].addBlossom(Across::position, point.at, point.within, -1, form);
         equations.push_back(std::move(form));
     }
 }
 
-void addTangentEquations(const SmoothRun& run, const BorderStrip& first, const BorderStrip& second,
-                         std::vector<LinearForm>& equations) {
+void addTangentEquations(const SmoothRun& run, const StripPair& strips, std::vector<LinearForm>& equations) {
     const TangentRatio& ratio = run.ratio;
     double begin = run.begin;
     double end = run.end;
     if (ratio.isLinear) {
-        addCollocation(run, begin, end, first, second, equations);
+        addCollocation(run, begin, end, strips, equations);
         return;
     }
     if (ratio.atEnd[0] != 0) {
-        addCollocation(run, begin, begin + ratio.reach[0], first, second, equations);
+        addCollocation(run, begin, begin + ratio.reach[0], strips, equations);
         begin += ratio.reach[0];
     }
     if (ratio.atEnd[1] != 0) {
-        addCollocation(run, end - ratio.reach[1], end, first, second, equations);
+        addCollocation(run, end - ratio.reach[1], end, strips, equations);
         end -= ratio.reach[1];
     }
-    if (begin < end) addOppositeDerivatives(begin, end, first, second, equations);
+    if (begin < end) addOppositeDerivatives(begin, end, strips, equations);
 }
 
 } // namespace qm

@@ -6,6 +6,7 @@
 #include "bspline/network/stretches.h"
 #include "bspline/network/tangent_ratio.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -28,15 +29,17 @@ struct SmoothRun {
     }
 };
 
+/// The strips on both sides of a stretch, in the order of its sides.
+using StripPair = std::array<BorderStrip, 2>;
+
 /// Adds the equations (each form is to be 0) by which both sides of a stretch have the same border curve: C0.
 /// There are as many as the common refinement of both sides' splines has control points there; those at the
 /// ends may repeat what other stretches say.
-void addPositionEquations(const Stretch& stretch, const BorderStrip& first, const BorderStrip& second,
+void addPositionEquations(const Stretch& stretch, const StripPair& strips,
                           std::vector<LinearForm>& equations);
 
 /// Adds the equations for one tangent plane along a run: the derivatives across the border, each into its own
 /// patch, sum up to the tangent ratio times the derivative along it: G1 (docs/METHOD.md#peters-2010).
-void addTangentEquations(const SmoothRun& run, const BorderStrip& first, const BorderStrip& second,
-                         std::vector<LinearForm>& equations);
+void addTangentEquations(const SmoothRun& run, const StripPair& strips, std::vector<LinearForm>& equations);
 
 } // namespace qm

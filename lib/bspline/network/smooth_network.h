@@ -15,6 +15,8 @@ struct SmoothNetwork {
     std::vector<VertexRule> rules; ///< of all vertices
     std::vector<Stretch> stretches;
     std::vector<SmoothRun> runs; ///< their ratios have values at their ends, but no reach yet
+
+    [[nodiscard]] Sharpness sharpness() const { return {rules, marks.isCrease}; }
 };
 
 /// Linear in the mesh.

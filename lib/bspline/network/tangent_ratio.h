@@ -15,7 +15,6 @@ struct TangentRatio {
     double length = 0;
 
     bool operator==(const TangentRatio&) const = default;
-    [[nodiscard]] bool isZero() const { return atEnd[0] == 0 && atEnd[1] == 0; }
 
     [[nodiscard]] double operator()(double x) const {
         if (isLinear) return atEnd[0] + (atEnd[1] - atEnd[0]) * x / length;

@@ -23,6 +23,13 @@ struct VertexRule {
     std::array<HalfedgeId, 2> along = {HalfedgeId(), HalfedgeId()};
 };
 
+/// Where a surface is sharp: the rules of all vertices, and the edges that are creases or on the boundary.
+/// What it refers to must outlive it.
+struct Sharpness {
+    const std::vector<VertexRule>& rules;
+    const std::vector<bool>& edges;
+};
+
 /// Whether one smooth curve may follow two creases that leave a vertex: two or more quads lie on either side
 /// between them, so that no quad alone has to fill a flat angle, and they turn by at most `cornerAngle`.
 [[nodiscard]] bool isCurve(const QuadMesh& mesh, const std::array<HalfedgeId, 2>& creases);

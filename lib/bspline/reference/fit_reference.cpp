@@ -19,7 +19,7 @@ FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetw
                     const TriangleSurface* scan, unsigned jobs) {
     const int steps = mesh.n_faces() > veryManyFaces ? 2 : 4;
     FitTarget target;
-    target.grids = limitSurface(mesh, layout, network.rules, network.marks.isCrease, steps, jobs);
+    target.grids = limitSurface(mesh, layout, network.sharpness(), steps, jobs);
     if (scan == nullptr) return target;
     FitTarget found = scanReference(mesh, layout, target.grids, *scan, jobs);
     constexpr double minCoverage = 0.1; // with less it is another part, or lies elsewhere

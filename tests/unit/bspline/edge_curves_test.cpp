@@ -15,7 +15,7 @@ TEST(EdgeCurves, AreTangentToASphereHoweverUnevenItsVerticesAre) {
         mesh.set_point(vertex, (at + Point(0.1 * at[1], 0.2 * at[0] * at[2], 0)).normalized());
     }
     const test::LimitSample sample(mesh);
-    const EdgeCurves curves(sample.mesh, sample.rules, sample.isCrease, nullptr);
+    const EdgeCurves curves(sample.mesh, sample.sharpness(), nullptr);
     for (const HalfedgeId halfedge : sample.mesh.halfedges()) {
         const std::array<Point, 4> points = curves.above(halfedge);
         const double length = sample.mesh.calc_edge_length(halfedge);

@@ -22,7 +22,7 @@ using test::stirred;
 TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
     const LimitSample sample(stirred(shape("torus", 4), 0.04, [](const Point& point) { return point; }));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.sharpness(), sample.noPlanes(), 1);
     const auto unevenness = [&](const MeshLattice& lattice) {
         double sum = 0;
         for (const HalfedgeId side : sample.mesh.halfedges()) {
@@ -43,7 +43,7 @@ TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
 TEST(EvenSpeeds, LeaveEvenLinesAsTheyAre) {
     const LimitSample sample(shape("tube", 4));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.sharpness(), sample.noPlanes(), 1);
     for (std::size_t k = 0; k < even.numbers().count(); ++k)
         EXPECT_LT((even.point(k) - sample.limit.point(k)).norm(), 1e-3);
 }
@@ -57,7 +57,7 @@ TEST(EvenSpeeds, AreThoseOfTheirEdgesWhereQuadsAreBentToo) {
                           }};
     const LimitSample sample(test::makeMesh(grid));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.sharpness(), sample.noPlanes(), 1);
     const auto maxSpeed = [&](const MeshLattice& lattice) {
         double max = 0;
         for (const HalfedgeId side : sample.mesh.halfedges())
@@ -83,7 +83,7 @@ QuadMesh unevenTube() {
 TEST(EvenSpeeds, BoundariesFollowTheirCurveWhereTheirEdgesAreUneven) {
     const LimitSample sample(unevenTube());
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.sharpness(), sample.noPlanes(), 1);
     // Along a circle derivatives are perpendicular to the radius.
     const auto maxRise = [&](const MeshLattice& lattice) {
         double max = 0;
@@ -104,7 +104,7 @@ TEST(EvenSpeeds, TurnsVaryEvenlyFromLineToLine) {
     const test::Grid grid{8, 5, [](double i, double j) { return Point(i, j, 0.02 * i * j * j); }};
     const LimitSample sample(test::makeMesh(grid));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.sharpness(), sample.noPlanes(), 1);
     // The slope at the boundary, along a row of the face between columns 3 and 4.
     const HalfedgeId side = sample.mesh.find_halfedge(VertexId(3), VertexId(4));
     ASSERT_FALSE(sample.mesh.is_boundary(side));
@@ -131,7 +131,7 @@ TEST(EvenSpeeds, LeaveTheSurfaceSmoothWhereACreaseEnds) {
     const LimitSample sample(mesh, creases);
     ASSERT_EQ(sample.rules[at(vertex(4, 3))].kind, VertexRule::Kind::dart);
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, sample.isCrease, sample.noPlanes(), 1);
+    evenSpeeds(even, sample.sharpness(), sample.noPlanes(), 1);
     // Derivatives across the first smooth edge, on both sides.
     const HalfedgeId side = sample.mesh.find_halfedge(vertex(4, 3), vertex(5, 3));
     const HalfedgeId other = sample.mesh.opposite_halfedge_handle(side);
@@ -148,8 +148,8 @@ TEST(EvenSpeeds, AreTheSameOnAnyNumberOfThreads) {
     const LimitSample sample(shape("genus2", 6));
     MeshLattice one = sample.limit;
     MeshLattice three = sample.limit;
-    evenSpeeds(one, sample.rules, sample.isCrease, sample.noPlanes(), 1);
-    evenSpeeds(three, sample.rules, sample.isCrease, sample.noPlanes(), 3);
+    evenSpeeds(one, sample.sharpness(), sample.noPlanes(), 1);
+    evenSpeeds(three, sample.sharpness(), sample.noPlanes(), 3);
     for (std::size_t k = 0; k < one.numbers().count(); ++k)
         ASSERT_EQ(one.point(k), three.point(k));
 }

@@ -28,8 +28,8 @@ protected:
                 }},
           mesh(test::makeMesh(sheet)), layout(test::makeLayout(sheet, {{0, 0, 24, 4}, {0, 4, 24, 8}})),
           network(buildNetwork(mesh, layout, dihedralAngles(mesh), 3)), reference{limitSurface(
-                                                                            mesh, layout, network.rules,
-                                                                            network.marks.isCrease, 4, 1)} {
+                                                                            mesh, layout, network.sharpness(),
+                                                                            4, 1)} {
         options.tolerance = 0.02;
     }
 
@@ -107,7 +107,7 @@ TEST(FitState, DoesNotBeginAnewTwiceWithTheSameKnots) {
     const QuadMesh mesh = test::star(6);
     const Layout layout = test::segmentPerQuad(mesh);
     const SmoothNetwork network = test::networkOf(mesh, layout);
-    FitTarget reference{limitSurface(mesh, layout, network.rules, network.marks.isCrease, 4, 1)};
+    FitTarget reference{limitSurface(mesh, layout, network.sharpness(), 4, 1)};
     constexpr std::array<double, 5> wave{0, 3, 0, -3, 0};
     for (ReferenceGrid& grid : reference.grids)
         for (std::size_t k = 0; k < grid.points.size(); ++k)

@@ -23,7 +23,7 @@ constexpr double flatness = 1e-5;
 /// A rounded box whose surface lies in the planes of its sides.
 struct FlatBox {
     LimitSample sample;
-    PlaneCorners corners{sample.limit, sample.rules, sample.isCrease, flatness, 1};
+    PlaneCorners corners{sample.limit, sample.sharpness(), flatness, 1};
     MeshLattice flat = sample.limit;
 
     FlatBox(int fillet, int sides, unsigned jobs = 1) : sample(RoundedBox(fillet, sides).mesh()) {
@@ -107,7 +107,7 @@ TEST(InPlanes, VerticesBetweenPartsAreBoundToNone) {
     // Two plane halves that meet at 10 degrees, smoothly.
     const auto bent = [](double i, double j) { return Point(i, j, 0.17 * std::max(0.0, i - 6)); };
     const LimitSample sample(test::makeMesh({12, 8, bent}));
-    const PlaneCorners corners(sample.limit, sample.rules, sample.isCrease, flatness, 1);
+    const PlaneCorners corners(sample.limit, sample.sharpness(), flatness, 1);
     for (const VertexId vertex : sample.mesh.vertices()) {
         const bool isBetween = sample.mesh.point(vertex)[0] == 6;
         EXPECT_EQ(corners.isBound(vertex), !isBetween);

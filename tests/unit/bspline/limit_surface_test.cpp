@@ -114,8 +114,8 @@ TEST(MeshLattice, IsTheBicubicSplineOfItsControlMeshWhereThatIsRegular) {
     for (const int steps : {2, 4, 8}) {
         MeshLattice lattice(mesh, control.points);
         while (lattice.squares() < steps)
-            lattice = lattice.subdivided(rules, sharp, 1);
-        lattice = lattice.limit(rules, sharp, 1);
+            lattice = lattice.subdivided({rules, sharp}, 1);
+        lattice = lattice.limit({rules, sharp}, 1);
         ReferenceGrid grid{layout.segments.front().size, steps};
         for (const std::size_t number : lattice.numbers().ofSegment(layout.segments.front()))
             grid.points.push_back(lattice.point(number));

@@ -27,8 +27,8 @@ struct OpenGrid {
     std::vector<Turn> turns;
 
     explicit OpenGrid(const test::Grid& given)
-        : grid(given), sample(test::makeMesh(given)),
-          turns(parabolicEnds(sample.limit, sample.rules, sample.isCrease)) {}
+        : grid(given), sample(test::makeMesh(given)), turns(parabolicEnds(sample.limit, sample.sharpness())) {
+    }
 
     [[nodiscard]] VertexId vertex(int i, int j) const { return VertexId(j * (grid.columns + 1) + i); }
     /// Of the cylinder.

@@ -292,7 +292,7 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
     const QuadMesh mesh = test::makeMesh(test::sheet());
     const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
     const SmoothNetwork network = networkOf(mesh, layout);
-    const FitTarget target{limitSurface(mesh, layout, network.rules, network.marks.isCrease, 4, 1)};
+    const FitTarget target{limitSurface(mesh, layout, network.sharpness(), 4, 1)};
     const auto sources = latticeSources(mesh, layout, network, target, 1);
     const KnotPlan plan(layout, network);
     const std::vector<PatchSpace> spaces = plan.spaces();

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <unordered_map>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -47,13 +49,9 @@ std::vector<std::array<bool, 4>> outlineSides(const SmoothNetwork& network, std:
     return result;
 }
 
-/// The line through all points of some sides, if there is one; as with planes, short ones must be the
-/// straighter.
-std::optional<StraightLine> lineThrough(const std::vector<const OutlineSide*>& sides, double tolerance) {
+/// The line through all points, if there is one; as with planes, short ones must be the straighter.
+std::optional<StraightLine> lineThrough(const std::vector<Eigen::Vector3d>& points, double tolerance) {
     constexpr double straight = 1e-4; // share of its extent that a line may be thick
-    std::vector<Eigen::Vector3d> points;
-    for (const OutlineSide* side : sides)
-        points.insert(points.end(), side->points.begin(), side->points.end());
     const PrincipalAxes spread = principalAxes(points);
     const Eigen::Vector3d direction = spread.axes.col(2);
     const double allowed = std::min(tolerance, straight * spread.extents[2]);
@@ -65,8 +63,8 @@ std::optional<StraightLine> lineThrough(const std::vector<const OutlineSide*>& s
 
 /// Divides straight sides into those that continue one another: where lines turn by less than this, points on
 /// both would have no certain place.
-std::vector<std::vector<const OutlineSide*>> continued(const Layout& layout,
-                                                       const std::vector<OutlineSide>& sides) {
+/// \return their places in the list
+std::vector<std::vector<std::size_t>> continued(const Layout& layout, const std::vector<OutlineSide>& sides) {
     const double turn = std::cos(0.2);
     std::unordered_map<VertexId, std::vector<std::size_t>> sidesAt;
     DisjointSets sets(sides.size());
@@ -78,11 +76,7 @@ std::vector<std::vector<const OutlineSide*>> continued(const Layout& layout,
             sidesAt[end].push_back(k);
         }
     }
-    std::vector<std::vector<const OutlineSide*>> groups(sides.size());
-    for (std::size_t k = 0; k < sides.size(); ++k)
-        groups[sets.find(k)].push_back(&sides[k]);
-    std::erase_if(groups, [](const auto& group) { return group.empty(); });
-    return groups;
+    return sets.members();
 }
 
 } // namespace
@@ -100,16 +94,19 @@ std::vector<std::optional<FlatPatch>> flatPatches(const Layout& layout,
         for (int side = 0; side < 4; ++side) {
             if (!isOutline[patch][at(side)]) continue;
             OutlineSide found{patch, side, pointsOnSide(reference[patch], side)};
-            if (lineThrough({&found}, tolerance)) sides.push_back(std::move(found));
+            if (lineThrough(found.points, tolerance)) sides.push_back(std::move(found));
         }
     }
     for (const auto& group : continued(layout, sides)) {
-        const std::optional<StraightLine> line = lineThrough(group, tolerance);
+        std::vector<Eigen::Vector3d> points;
+        for (const std::size_t k : group)
+            std::ranges::copy(sides[k].points, std::back_inserter(points));
+        const std::optional<StraightLine> line = lineThrough(points, tolerance);
         if (!line) continue;
-        for (const OutlineSide* side : group) {
-            FlatPatch& patch = *flat[side->patch];
+        for (const std::size_t k : group) {
+            FlatPatch& patch = *flat[sides[k].patch];
             const Eigen::Vector3d normal = line->direction.cross(vector(patch.plane.normal)).normalized();
-            patch.outlines[at(side->side)] = Plane{point(normal), normal.dot(line->middle)};
+            patch.outlines[at(sides[k].side)] = Plane{point(normal), normal.dot(line->middle)};
         }
     }
     return flat;

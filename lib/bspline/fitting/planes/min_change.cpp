@@ -62,15 +62,6 @@ std::vector<PlaneDemand> distinct(std::vector<PlaneDemand> demands, const std::v
     return demands;
 }
 
-/// By demand: the coordinate of its point along the normal of its plane.
-Eigen::VectorXd heights(const std::vector<PlaneDemand>& demands, const Eigen::MatrixX3d& points) {
-    Eigen::VectorXd result(static_cast<Eigen::Index>(demands.size()));
-    for (std::size_t k = 0; k < demands.size(); ++k)
-        result[static_cast<Eigen::Index>(k)] =
-            points.row(row(demands[k].unknown)).dot(vector(demands[k].plane.normal));
-    return result;
-}
-
 } // namespace
 
 MinChange::MinChange(std::size_t unknowns, std::vector<LinearForm> equations)
@@ -110,7 +101,7 @@ double MinChange::violation(const Eigen::MatrixX3d& change) const {
     for (const LinearForm& equation : equations_) {
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
         for (std::size_t k = 0; k < equation.unknowns.size(); ++k)
-            sum += equation.weights[k] * change.row(static_cast<Eigen::Index>(equation.unknowns[k]));
+            sum += equation.weights[k] * change.row(row(equation.unknowns[k]));
         largest = std::max(largest, sum.norm());
     }
     return largest;
@@ -126,9 +117,9 @@ Eigen::MatrixX3d MinChange::allowed(Eigen::MatrixX3d change) const {
 }
 
 Eigen::VectorXd missingHeights(const std::vector<PlaneDemand>& demands, const Eigen::MatrixX3d& points) {
-    Eigen::VectorXd result = -heights(demands, points);
-    for (std::size_t k = 0; k < demands.size(); ++k)
-        result[static_cast<Eigen::Index>(k)] += demands[k].plane.offset;
+    Eigen::VectorXd result(row(demands.size()));
+    for (Eigen::Index k = 0; const auto& [unknown, plane] : demands)
+        result[k++] = plane.offset - points.row(row(unknown)).dot(vector(plane.normal));
     return result;
 }
 

@@ -23,8 +23,7 @@ std::vector<PlaneDemand> demandsOf(const Patch& patch, const FlatPatch& flat, st
 
 bool isFlat(const Patch& patch, const FlatPatch& flat, double distance) {
     return std::ranges::all_of(demandsOf(patch, flat, 0), [&](const PlaneDemand& demand) {
-        return std::abs((patch.controlPoints[demand.unknown] | demand.plane.normal) - demand.plane.offset) <=
-               distance;
+        return std::abs(demand.plane.distance(patch.controlPoints[demand.unknown])) <= distance;
     });
 }
 

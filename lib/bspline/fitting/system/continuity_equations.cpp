@@ -2,8 +2,6 @@
 
 #include "bspline/network/continuity.h"
 
-#include <array>
-
 namespace qm {
 
 std::vector<LinearForm> continuityEquations(const Layout& layout, const KnotPlan& plan,
@@ -12,23 +10,18 @@ std::vector<LinearForm> continuityEquations(const Layout& layout, const KnotPlan
     const auto counts = [&](const Stretch& stretch) {
         return isFree[stretch.sides[0].patch] || isFree[stretch.sides[1].patch];
     };
-    const auto strips = [&](const Stretch& stretch) {
+    const auto strips = [&](const Stretch& stretch) -> StripPair {
         const auto strip = [&](const StretchSide& place) {
             return BorderStrip(spaces[place.patch], layout.segments[place.patch].size, place);
         };
-        return std::array{strip(stretch.sides[0]), strip(stretch.sides[1])};
+        return {strip(stretch.sides[0]), strip(stretch.sides[1])};
     };
     std::vector<LinearForm> equations;
-    for (const Stretch& stretch : plan.stretches()) {
-        if (!counts(stretch)) continue;
-        const auto both = strips(stretch);
-        addPositionEquations(stretch, both[0], both[1], equations);
-    }
-    for (const SmoothRun& run : plan.runs()) {
-        if (!counts(plan.stretches()[run.stretch])) continue;
-        const auto both = strips(plan.stretches()[run.stretch]);
-        addTangentEquations(run, both[0], both[1], equations);
-    }
+    for (const Stretch& stretch : plan.stretches())
+        if (counts(stretch)) addPositionEquations(stretch, strips(stretch), equations);
+    for (const SmoothRun& run : plan.runs())
+        if (const Stretch& stretch = plan.stretches()[run.stretch]; counts(stretch))
+            addTangentEquations(run, strips(stretch), equations);
     return equations;
 }
 

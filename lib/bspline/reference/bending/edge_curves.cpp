@@ -6,10 +6,6 @@
 
 namespace qm {
 
-EdgeCurves::EdgeCurves(const QuadMesh& mesh, const std::vector<VertexRule>& rules,
-                       const std::vector<bool>& sharp, const PlaneCorners* corners)
-    : mesh_(mesh), rules_(rules), sharp_(sharp), corners_(corners) {}
-
 std::array<Point, 4> EdgeCurves::above(HalfedgeId halfedge) const {
     const HalfedgeId back = mesh_.opposite_halfedge_handle(halfedge);
     const Point from = mesh_.point(mesh_.from_vertex_handle(halfedge));
@@ -24,10 +20,10 @@ Point EdgeCurves::derivative(HalfedgeId leaving) const {
 }
 
 Point EdgeCurves::alongSurface(HalfedgeId leaving) const {
-    const VertexRule& rule = rules_[at(mesh_.from_vertex_handle(leaving))];
+    const VertexRule& rule = sharpness_.rules[at(mesh_.from_vertex_handle(leaving))];
     const Point along = mesh_.calc_edge_vector(leaving);
     const double length = along.norm();
-    const bool isSharp = sharp_[at(mesh_.edge_handle(leaving))];
+    const bool isSharp = sharpness_.edges[at(mesh_.edge_handle(leaving))];
     if (isSharp && rule.kind == VertexRule::Kind::crease) {
         const auto& [one, other] = rule.along;
         if (leaving != one && leaving != other) return along;
@@ -42,7 +38,9 @@ Point EdgeCurves::alongSurface(HalfedgeId leaving) const {
 
 /// At the beginning of a halfedge, of the faces between the sharp edges on either side of it.
 Point EdgeCurves::normalBeside(HalfedgeId leaving) const {
-    const auto isSharp = [&](HalfedgeId halfedge) { return sharp_[at(mesh_.edge_handle(halfedge))]; };
+    const auto isSharp = [&](HalfedgeId halfedge) {
+        return sharpness_.edges[at(mesh_.edge_handle(halfedge))];
+    };
     Point sum(0, 0, 0);
     HalfedgeId halfedge = leaving; // the boundary is sharp
     do {

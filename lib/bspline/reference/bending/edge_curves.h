@@ -16,10 +16,9 @@ namespace qm {
 class EdgeCurves {
 public:
     /// The arguments must outlive the curves.
-    /// \param sharp    by edge
     /// \param corners  whose planes the derivatives have to lie in; null if there are none
-    EdgeCurves(const QuadMesh& mesh, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-               const PlaneCorners* corners);
+    EdgeCurves(const QuadMesh& mesh, const Sharpness& sharpness, const PlaneCorners* corners)
+        : mesh_(mesh), sharpness_(sharpness), corners_(corners) {}
 
     /// The Bezier points above a halfedge, from its beginning to its end.
     [[nodiscard]] std::array<Point, 4> above(HalfedgeId halfedge) const;
@@ -31,8 +30,7 @@ private:
     [[nodiscard]] Point normalIn(HalfedgeId leaving) const;
 
     const QuadMesh& mesh_;
-    const std::vector<VertexRule>& rules_;
-    const std::vector<bool>& sharp_;
+    Sharpness sharpness_;
     const PlaneCorners* corners_;
 };
 

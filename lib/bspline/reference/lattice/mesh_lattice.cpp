@@ -58,23 +58,20 @@ std::vector<Eigen::Vector3d> MeshLattice::points(FaceId face) const {
     return result;
 }
 
-MeshLattice MeshLattice::subdivided(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-                                    unsigned jobs) const {
-    return filtered({true, 1.0 / 8, subdivisionStencil}, rules, sharp, jobs);
+MeshLattice MeshLattice::subdivided(const Sharpness& sharpness, unsigned jobs) const {
+    return filtered({true, 1.0 / 8, subdivisionStencil}, sharpness, jobs);
 }
 
-MeshLattice MeshLattice::limit(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-                               unsigned jobs) const {
-    return filtered({false, 1.0 / 6, limitStencil}, rules, sharp, jobs);
+MeshLattice MeshLattice::limit(const Sharpness& sharpness, unsigned jobs) const {
+    return filtered({false, 1.0 / 6, limitStencil}, sharpness, jobs);
 }
 
-MeshLattice MeshLattice::filtered(const Step& step, const std::vector<VertexRule>& rules,
-                                  const std::vector<bool>& sharp, unsigned jobs) const {
+MeshLattice MeshLattice::filtered(const Step& step, const Sharpness& sharpness, unsigned jobs) const {
     const QuadMesh& mesh = numbers_.mesh();
     MeshLattice to(LatticeNumbers(mesh, step.subdivides ? 2 * squares() : squares()));
-    parallelForVertices(mesh, jobs,
-                        [&](VertexId vertex) { filterVertex(step, vertex, rules[at(vertex)], to); });
-    parallelForEdges(mesh, jobs, [&](EdgeId edge) { filterEdge(step, edge, sharp[at(edge)], to); });
+    parallelForVertices(
+        mesh, jobs, [&](VertexId vertex) { filterVertex(step, vertex, sharpness.rules[at(vertex)], to); });
+    parallelForEdges(mesh, jobs, [&](EdgeId edge) { filterEdge(step, edge, sharpness.edges[at(edge)], to); });
     parallelForFaces(mesh, jobs, [&](FaceId face) { filterFace(step, face, to); });
     return to;
 }

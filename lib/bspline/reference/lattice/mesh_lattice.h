@@ -30,20 +30,16 @@ public:
     void move(VertexId vertex, const Point& to) { move(at(vertex), to); }
 
     /// One step of subdivision, which doubles the number of squares in each direction. Edges and faces can be
-    /// processed independently; only vertices can be extraordinary.
-    /// \param sharp  by edge: whether it is subdivided as a curve
-    [[nodiscard]] MeshLattice subdivided(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-                                         unsigned jobs) const;
+    /// processed independently; only vertices can be extraordinary. Sharp edges are subdivided as curves.
+    [[nodiscard]] MeshLattice subdivided(const Sharpness& sharpness, unsigned jobs) const;
     /// Moves the points to their limits after infinitely many further steps.
-    [[nodiscard]] MeshLattice limit(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-                                    unsigned jobs) const;
+    [[nodiscard]] MeshLattice limit(const Sharpness& sharpness, unsigned jobs) const;
 
 private:
     struct Step;
     /// With points that are still to be set.
     explicit MeshLattice(const LatticeNumbers& numbers);
-    [[nodiscard]] MeshLattice filtered(const Step& step, const std::vector<VertexRule>& rules,
-                                       const std::vector<bool>& sharp, unsigned jobs) const;
+    [[nodiscard]] MeshLattice filtered(const Step& step, const Sharpness& sharpness, unsigned jobs) const;
     void filterVertex(const Step& step, VertexId vertex, const VertexRule& rule, MeshLattice& to) const;
     void filterEdge(const Step& step, EdgeId edge, bool sharp, MeshLattice& to) const;
     void filterFace(const Step& step, FaceId face, MeshLattice& to) const;

@@ -32,16 +32,16 @@ struct Change {
 
 class EvenSpeeds {
 public:
-    EvenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp)
-        : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), rules_(rules), sharp_(sharp),
+    EvenSpeeds(MeshLattice& lattice, const Sharpness& sharpness)
+        : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), sharpness_(sharpness),
           steps_(at(lattice.squares())), changes_(mesh_.n_halfedges()),
           hermite_(hermiteByStep(lattice.squares())) {}
 
     void run(const PlaneCorners& corners, unsigned jobs) {
         const std::vector<bool> isSound = soundVertices(mesh_, jobs);
         const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, notFolded);
-        const std::vector<Point> directions = creaseDirections(mesh_, rules_);
-        for (const Turn& turn : parabolicEnds(before_, rules_, sharp_))
+        const std::vector<Point> directions = creaseDirections(mesh_, sharpness_.rules);
+        for (const Turn& turn : parabolicEnds(before_, sharpness_))
             if (isSound[at(mesh_.from_vertex_handle(turn.leaving))])
                 changes_[at(turn.leaving)].turn += corners.within(turn.leaving, turn.by);
         parallelForVertices(mesh_, jobs, [&](VertexId vertex) {
@@ -51,8 +51,8 @@ public:
                 shortenAtExtraordinary(leavingFrom(mesh_, mesh_.halfedge_handle(vertex)));
                 return;
             }
-            if (isSound[k] && isRegularCrease(mesh_, vertex, rules_[k]))
-                turn(rules_[k], corners.within(rules_[k].along[0], directions[k]));
+            if (isSound[k] && isRegularCrease(mesh_, vertex, sharpness_.rules[k]))
+                turn(sharpness_.rules[k], corners.within(sharpness_.rules[k].along[0], directions[k]));
             for (const HalfedgeId leaving : mesh_.voh_range(vertex))
                 changes_[at(leaving)].share = shareOf(leaving);
         });
@@ -152,14 +152,16 @@ private:
     /// How the turn of a mesh line varies from line to line, at the beginning of a halfedge, for each line to
     /// the left: by the lines on both sides. Otherwise turns would vary in steps, and the surface ripple.
     [[nodiscard]] Point slopeToLeft(HalfedgeId leaving) const {
-        if (sharp_[at(mesh_.edge_handle(leaving))]) return {0, 0, 0};
+        if (sharpness_.edges[at(mesh_.edge_handle(leaving))]) return {0, 0, 0};
         const HalfedgeId left = acrossQuad(mesh_, leaving);
         const HalfedgeId right =
             mesh_.opposite_halfedge_handle(acrossQuad(mesh_, mesh_.opposite_halfedge_handle(leaving)));
         const Point difference = changes_[at(left)].turn - changes_[at(right)].turn;
         if (difference == Point(0, 0, 0)) return difference;
         // Where a line goes on, it turns against itself on the other side, and so must its neighbours.
-        const auto kindAt = [&](HalfedgeId line) { return rules_[at(mesh_.from_vertex_handle(line))].kind; };
+        const auto kindAt = [&](HalfedgeId line) {
+            return sharpness_.rules[at(mesh_.from_vertex_handle(line))].kind;
+        };
         const auto goesOn = [&](HalfedgeId line) {
             return kindAt(line) == VertexRule::Kind::smooth &&
                    continuesStraight(mesh_, mesh_.from_vertex_handle(line));
@@ -204,8 +206,7 @@ private:
     MeshLattice& lattice_;
     const MeshLattice before_;
     const QuadMesh& mesh_;
-    const std::vector<VertexRule>& rules_;
-    const std::vector<bool>& sharp_;
+    Sharpness sharpness_;
     std::size_t steps_;
     std::vector<Change> changes_; ///< by halfedge: of the derivative at its beginning
     std::vector<Hermite> hermite_;
@@ -213,9 +214,9 @@ private:
 
 } // namespace
 
-void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-                const PlaneCorners& corners, unsigned jobs) {
-    EvenSpeeds(lattice, rules, sharp).run(corners, jobs);
+void evenSpeeds(MeshLattice& lattice, const Sharpness& sharpness, const PlaneCorners& corners,
+                unsigned jobs) {
+    EvenSpeeds(lattice, sharpness).run(corners, jobs);
 }
 
 } // namespace qm

@@ -23,8 +23,6 @@ constexpr double maxSpeedUp = 3;
 /// `parabolicEnds`). Vertices stay, and so do tangent planes elsewhere. Speeds change little at extraordinary
 /// vertices, and not where a quad is folded; directions only where all quads are sound (see `soundFaces`).
 /// Linear in the mesh.
-/// \param sharp  by edge: creases, and the mesh boundary
-void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-                const PlaneCorners& corners, unsigned jobs);
+void evenSpeeds(MeshLattice& lattice, const Sharpness& sharpness, const PlaneCorners& corners, unsigned jobs);
 
 } // namespace qm

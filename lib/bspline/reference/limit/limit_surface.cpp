@@ -21,21 +21,21 @@ constexpr FoldLimits ofLimit{.minArea = 0.3, .minAreaAtPoint = 0.1};
 /// `evenSpeeds` makes derivatives shorter on purpose, beside edges that are much shorter down to a twentieth.
 constexpr FoldLimits afterEvening{.minArea = 0.15, .minAreaAtPoint = 0.1, .minSpeed = 0.02};
 
-MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& rules,
-                         const std::vector<bool>& sharp, int steps, unsigned jobs) {
+MeshLattice limitLattice(const QuadMesh& mesh, const Sharpness& sharpness, int steps, unsigned jobs) {
+    const auto& [rules, sharp] = sharpness;
     const ControlMesh control = interpolatingControlMesh(mesh, rules);
     MeshLattice lattice(mesh, control.points);
     while (lattice.squares() < steps)
-        lattice = lattice.subdivided(rules, sharp, jobs);
-    lattice = lattice.limit(rules, sharp, jobs);
+        lattice = lattice.subdivided(sharpness, jobs);
+    lattice = lattice.limit(sharpness, jobs);
     drawThroughVertices(lattice, control.interpolates, jobs);
-    unfold(lattice, rules, sharp, nullptr, ofLimit, jobs);
-    const PlaneCorners corners(lattice, rules, sharp, maxFlatness * boundingBox(mesh).diagonal(), jobs);
+    unfold(lattice, sharpness, nullptr, ofLimit, jobs);
+    const PlaneCorners corners(lattice, sharpness, maxFlatness * boundingBox(mesh).diagonal(), jobs);
     layInPlanes(lattice, corners, sharp, jobs);
-    evenSpeeds(lattice, rules, sharp, corners, jobs);
+    evenSpeeds(lattice, sharpness, corners, jobs);
     evenPoles(lattice, rules, jobs);
     minimiseBending(lattice, rules, corners, jobs);
-    unfold(lattice, rules, sharp, &corners, afterEvening, jobs);
+    unfold(lattice, sharpness, &corners, afterEvening, jobs);
     return lattice;
 }
 
@@ -52,9 +52,8 @@ ReferenceGrid gridOf(const Segment& segment, const MeshLattice& lattice) {
 } // namespace
 
 std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layout& layout,
-                                        const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-                                        int steps, unsigned jobs) {
-    const MeshLattice lattice = limitLattice(mesh, rules, sharp, steps, jobs);
+                                        const Sharpness& sharpness, int steps, unsigned jobs) {
+    const MeshLattice lattice = limitLattice(mesh, sharpness, steps, jobs);
     std::vector<ReferenceGrid> grids(layout.segments.size());
     parallelFor(grids.size(), jobs, [&](std::size_t k) { grids[k] = gridOf(layout.segments[k], lattice); });
     return grids;

@@ -18,14 +18,10 @@ namespace qm {
 /// `minimiseBending`). Segments have bitwise equal lattice points on their common borders. Lattice points at
 /// vertices equal the vertices. Over quads that are not folded, the surface is not either (see `unfold`).
 /// Linear in the mesh.
-/// \param rules  by vertex, see `vertexRules`
-/// \param sharp  by edge: creases, and the mesh boundary
 /// \param steps  lattice steps per quad: a power of two, at least 2
 /// \param jobs   threads; the result does not depend on their number
 /// \return by segment: its part of the surface
 [[nodiscard]] std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layout& layout,
-                                                      const std::vector<VertexRule>& rules,
-                                                      const std::vector<bool>& sharp, int steps,
-                                                      unsigned jobs);
+                                                      const Sharpness& sharpness, int steps, unsigned jobs);
 
 } // namespace qm

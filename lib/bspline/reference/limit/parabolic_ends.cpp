@@ -24,9 +24,8 @@ bool follows(const VertexRule& rule, HalfedgeId leaving) {
 
 class ParabolicEnds {
 public:
-    ParabolicEnds(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
-                  const std::vector<bool>& sharp)
-        : lattice_(lattice), mesh_(lattice.numbers().mesh()), rules_(rules), sharp_(sharp) {}
+    ParabolicEnds(const MeshLattice& lattice, const Sharpness& sharpness)
+        : lattice_(lattice), mesh_(lattice.numbers().mesh()), sharpness_(sharpness) {}
 
     [[nodiscard]] std::vector<Turn> run() {
         for (const HalfedgeId leaving : mesh_.halfedges())
@@ -35,9 +34,11 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isSharp(HalfedgeId halfedge) const { return sharp_[at(mesh_.edge_handle(halfedge))]; }
+    [[nodiscard]] bool isSharp(HalfedgeId halfedge) const {
+        return sharpness_.edges[at(mesh_.edge_handle(halfedge))];
+    }
     [[nodiscard]] const VertexRule& ruleAt(HalfedgeId leaving) const {
-        return rules_[at(mesh_.from_vertex_handle(leaving))];
+        return sharpness_.rules[at(mesh_.from_vertex_handle(leaving))];
     }
 
     /// Whether a line begins with a halfedge, and can be turned alone: a mesh line between two creases, or a
@@ -53,7 +54,7 @@ private:
     /// The halfedge with which a line goes on after one, or an invalid one.
     [[nodiscard]] HalfedgeId after(HalfedgeId halfedge) const {
         const VertexId vertex = mesh_.to_vertex_handle(halfedge);
-        const VertexRule& rule = rules_[at(vertex)];
+        const VertexRule& rule = sharpness_.rules[at(vertex)];
         if (!isSharp(halfedge))
             return rule.kind == VertexRule::Kind::smooth && continuesStraight(mesh_, vertex)
                        ? straightOn(mesh_, halfedge)
@@ -108,16 +109,14 @@ private:
 
     const MeshLattice& lattice_;
     const QuadMesh& mesh_;
-    const std::vector<VertexRule>& rules_;
-    const std::vector<bool>& sharp_;
+    Sharpness sharpness_;
     std::vector<Turn> turns_;
 };
 
 } // namespace
 
-std::vector<Turn> parabolicEnds(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
-                                const std::vector<bool>& sharp) {
-    return ParabolicEnds(lattice, rules, sharp).run();
+std::vector<Turn> parabolicEnds(const MeshLattice& lattice, const Sharpness& sharpness) {
+    return ParabolicEnds(lattice, sharpness).run();
 }
 
 } // namespace qm

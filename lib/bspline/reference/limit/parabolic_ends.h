@@ -20,9 +20,6 @@ struct Turn {
 /// along the normal, creases in space. Mesh lines are turned only where no other one ends between the same
 /// two creases, and creases between single quads, so that the surface stays smooth there. A halfedge may have
 /// several turns. Linear in the mesh.
-/// \param sharp  by edge: creases, and the mesh boundary
-[[nodiscard]] std::vector<Turn> parabolicEnds(const MeshLattice& lattice,
-                                              const std::vector<VertexRule>& rules,
-                                              const std::vector<bool>& sharp);
+[[nodiscard]] std::vector<Turn> parabolicEnds(const MeshLattice& lattice, const Sharpness& sharpness);
 
 } // namespace qm

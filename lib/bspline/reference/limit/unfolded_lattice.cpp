@@ -25,17 +25,17 @@ enum Stage : char { interpolated, betweenEnds, halfStraight, nearlyStraight, str
 
 class Unfolding {
 public:
-    Unfolding(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-              const PlaneCorners* corners, const FoldLimits& limits, unsigned jobs)
+    Unfolding(MeshLattice& lattice, const Sharpness& sharpness, const PlaneCorners* corners,
+              const FoldLimits& limits, unsigned jobs)
         : lattice_(lattice), numbers_(lattice.numbers()), mesh_(numbers_.mesh()), squares_(lattice.squares()),
-          rules_(rules), sharp_(sharp), corners_(corners), jobs_(jobs), test_(lattice, limits),
-          isUpright_(uprightFaces(mesh_, sharp, jobs)), faceStages_(mesh_.n_faces(), interpolated),
+          sharpness_(sharpness), corners_(corners), jobs_(jobs), test_(lattice, limits),
+          isUpright_(uprightFaces(mesh_, sharpness.edges, jobs)), faceStages_(mesh_.n_faces(), interpolated),
           edgeStages_(mesh_.n_edges(), interpolated) {}
 
     void run() {
         if (!findFolds()) return;
         const MeshLattice before = lattice_;
-        const EdgeCurves curves(mesh_, rules_, sharp_, corners_);
+        const EdgeCurves curves(mesh_, sharpness_, corners_);
         for (int pass = 0; pass < maxPasses; ++pass) {
             for (const EdgeId edge : mesh_.edges())
                 redraw(edge, curves);
@@ -70,7 +70,7 @@ private:
         const Stage stage = stageBeside(edge);
         Stage& drawn = edgeStages_[at(edge)];
         if (stage <= drawn) return;
-        if (stage == betweenEnds && sharp_[at(edge)] && !turnsBack(edge)) return;
+        if (stage == betweenEnds && sharpness_.edges[at(edge)] && !turnsBack(edge)) return;
         drawn = stage;
         const HalfedgeId halfedge = mesh_.halfedge_handle(edge, 0);
         if (stage == betweenEnds)
@@ -149,8 +149,7 @@ private:
     const LatticeNumbers& numbers_;
     const QuadMesh& mesh_;
     int squares_;
-    const std::vector<VertexRule>& rules_;
-    const std::vector<bool>& sharp_;
+    Sharpness sharpness_;
     const PlaneCorners* corners_;
     unsigned jobs_;
     FoldTest test_;
@@ -161,9 +160,9 @@ private:
 
 } // namespace
 
-void unfold(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-            const PlaneCorners* corners, const FoldLimits& limits, unsigned jobs) {
-    Unfolding(lattice, rules, sharp, corners, limits, jobs).run();
+void unfold(MeshLattice& lattice, const Sharpness& sharpness, const PlaneCorners* corners,
+            const FoldLimits& limits, unsigned jobs) {
+    Unfolding(lattice, sharpness, corners, limits, jobs).run();
 }
 
 } // namespace qm

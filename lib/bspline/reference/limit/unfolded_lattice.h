@@ -14,10 +14,9 @@ namespace qm {
 /// with other upright quads are replaced by curves determined by their ends alone (see `EdgeCurves`), sharp
 /// ones only where they turn back, and the surface beside them follows. While it still folds, all its curves
 /// move halfway to the quad's edges, twice, and then become these edges. Linear in the mesh.
-/// \param sharp    by edge
 /// \param corners  whose planes the surface stays tangent to; null if it is tangent to none yet
 /// \param limits   what counts as a fold
-void unfold(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-            const PlaneCorners* corners, const FoldLimits& limits, unsigned jobs);
+void unfold(MeshLattice& lattice, const Sharpness& sharpness, const PlaneCorners* corners,
+            const FoldLimits& limits, unsigned jobs);
 
 } // namespace qm

@@ -27,9 +27,10 @@ HalfedgeId firstLeaving(const QuadMesh& mesh, VertexId vertex, const std::vector
 
 } // namespace
 
-PlaneCorners::PlaneCorners(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
-                           const std::vector<bool>& isCrease, double flatness, unsigned jobs)
-    : mesh_(lattice.numbers().mesh()), rules_(rules), parts_(planeParts(mesh_, isCrease, flatness, jobs)),
+PlaneCorners::PlaneCorners(const MeshLattice& lattice, const Sharpness& sharpness, double flatness,
+                           unsigned jobs)
+    : mesh_(lattice.numbers().mesh()), rules_(sharpness.rules),
+      parts_(planeParts(mesh_, sharpness.edges, flatness, jobs)),
       ofCorner_(mesh_.n_halfedges(), PlaneParts::none) {
     if (parts_.planes.empty()) return;
     const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, notFolded);
@@ -38,12 +39,12 @@ PlaneCorners::PlaneCorners(const MeshLattice& lattice, const std::vector<VertexR
             if (isUnfolded[at(vertex)] && !mesh_.is_isolated(vertex)) work(vertex);
         });
     };
-    forVertices([&](VertexId vertex) { findSectors(vertex, isCrease); });
+    forVertices([&](VertexId vertex) { findSectors(vertex, sharpness.edges); });
     forVertices([&](VertexId vertex) {
         if (isBound(vertex) && turnsMuch(lattice, vertex)) release(vertex);
     });
     parallelForFaces(mesh_, jobs, [&](FaceId face) { keepIfWhole(face); });
-    forVertices([&](VertexId vertex) { findSectors(vertex, isCrease); });
+    forVertices([&](VertexId vertex) { findSectors(vertex, sharpness.edges); });
 }
 
 bool PlaneCorners::isBound(VertexId vertex) const {

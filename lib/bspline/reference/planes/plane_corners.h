@@ -16,9 +16,7 @@ namespace qm {
 class PlaneCorners {
 public:
     /// The mesh of the lattice and the rules must outlive the corners.
-    /// \param isCrease  by edge, and the boundary
-    PlaneCorners(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
-                 const std::vector<bool>& isCrease, double flatness, unsigned jobs);
+    PlaneCorners(const MeshLattice& lattice, const Sharpness& sharpness, double flatness, unsigned jobs);
 
     /// Whether the mesh has no plane parts.
     [[nodiscard]] bool isEmpty() const { return parts_.planes.empty(); }

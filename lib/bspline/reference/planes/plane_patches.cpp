@@ -39,13 +39,10 @@ void findPlanes(const std::vector<ReferenceGrid>& reference, const SmoothNetwork
         const auto& sides = network.stretches[run.stretch].sides;
         if (isPlane[sides[0].patch] && isPlane[sides[1].patch]) groups.join(sides[0].patch, sides[1].patch);
     }
-    std::vector<std::vector<std::size_t>> members(reference.size());
-    for (std::size_t k = 0; k < reference.size(); ++k)
-        if (isPlane[k]) members[groups.find(k)].push_back(k);
-    for (const auto& ofGroup : members) {
-        if (ofGroup.empty()) continue;
-        const auto plane = planeThrough(reference, ofGroup, tolerance, maxThickness);
-        for (const std::size_t patch : ofGroup)
+    for (const auto& patches : groups.members()) {
+        if (!isPlane[patches.front()]) continue;
+        const auto plane = planeThrough(reference, patches, tolerance, maxThickness);
+        for (const std::size_t patch : patches)
             planes[patch] = plane;
     }
 }
