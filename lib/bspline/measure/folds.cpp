@@ -18,13 +18,12 @@ using Parameters = std::array<double, 2>;
 
 constexpr int maxHalvings = 5; ///< to 1/32 of a piece
 
-/// The mesh's quad, of which the reference interpolates the corners.
+/// The mesh's quad around a place.
 BilinearQuad quadAt(const ReferenceGrid& reference, const Parameters& place) {
-    std::array<int, 2> quad{};
-    for (std::size_t way = 0; way < 2; ++way)
-        quad[way] = std::clamp(static_cast<int>(place[way]), 0, reference.size[way] - 1);
-    const auto corner = [&](int i, int j) { return reference.vertex(quad[0] + i, quad[1] + j); };
-    return BilinearQuad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+    const auto along = [&](std::size_t direction) {
+        return std::clamp(static_cast<int>(place[direction]), 0, reference.size[direction] - 1);
+    };
+    return quadBelow(reference, along(0), along(1));
 }
 
 /// \param normal  of the patch, over a box around a place

@@ -16,9 +16,9 @@ Eigen::Index row(int vertexOrCorner) {
     return Eigen::Index{3} * vertexOrCorner;
 }
 
-void add(const std::array<int, 4>& vertices, const CornerTilts& what, Values& to) {
+void add(const std::array<VertexId, 4>& vertices, const CornerTilts& what, Values& to) {
     for (int corner = 0; corner < 4; ++corner)
-        to.segment<3>(row(vertices[at(corner)])) += what.segment<3>(row(corner));
+        to.segment<3>(row(vertices[at(corner)].idx())) += what.segment<3>(row(corner));
 }
 
 Values rightHandSide(const std::vector<BendingTerm>& terms, Eigen::Index size) {
@@ -34,7 +34,7 @@ Values product(const std::vector<BendingTerm>& terms, const Values& tilts, std::
     parallelForMany(terms.size(), jobs, [&](std::size_t k) {
         CornerTilts ofTerm;
         for (int corner = 0; corner < 4; ++corner)
-            ofTerm.segment<3>(row(corner)) = tilts.segment<3>(row(terms[k].vertices()[at(corner)]));
+            ofTerm.segment<3>(row(corner)) = tilts.segment<3>(row(terms[k].vertices()[at(corner)].idx()));
         products[k] = terms[k].matrix() * ofTerm;
     });
     Values sum = Values::Zero(tilts.size());
@@ -76,7 +76,7 @@ private:
 
 } // namespace
 
-BendingTerm::BendingTerm(const std::array<int, 4>& vertices, const QuadBending& bending)
+BendingTerm::BendingTerm(const std::array<VertexId, 4>& vertices, const QuadBending& bending)
     : vertices_(vertices), right_(bending.right.cast<float>()) {
     auto next = upper_.begin();
     for (Eigen::Index i = 0; i < 12; ++i)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline/reference/bending/quad_bending.h"
+#include "mesh/quad_mesh.h"
 
 #include <Eigen/Core>
 
@@ -17,14 +18,14 @@ class BendingTerm {
 public:
     BendingTerm() = default; ///< no energy
     /// \param vertices  by corner
-    BendingTerm(const std::array<int, 4>& vertices, const QuadBending& bending);
+    BendingTerm(const std::array<VertexId, 4>& vertices, const QuadBending& bending);
 
-    [[nodiscard]] const std::array<int, 4>& vertices() const { return vertices_; }
+    [[nodiscard]] const std::array<VertexId, 4>& vertices() const { return vertices_; }
     [[nodiscard]] CornerTilts right() const { return right_.cast<double>(); }
     [[nodiscard]] Eigen::Matrix<double, 12, 12> matrix() const;
 
 private:
-    std::array<int, 4> vertices_{};
+    std::array<VertexId, 4> vertices_{VertexId(0), VertexId(0), VertexId(0), VertexId(0)};
     std::array<float, 78> upper_{}; ///< half of the symmetric matrix, row by row
     Eigen::Matrix<float, 12, 1> right_ = Eigen::Matrix<float, 12, 1>::Zero();
 };

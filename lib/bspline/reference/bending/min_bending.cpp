@@ -54,25 +54,19 @@ public:
     }
 
 private:
-    [[nodiscard]] std::array<int, 4> vertices(FaceId face) const {
-        std::array<int, 4> result{};
-        HalfedgeId side = mesh_.halfedge_handle(face);
-        for (int& vertex : result) {
-            vertex = mesh_.from_vertex_handle(side).idx();
-            side = mesh_.next_halfedge_handle(side);
-        }
-        return result;
+    [[nodiscard]] std::array<VertexId, 4> vertices(FaceId face) const {
+        return before_.numbers().corners(face);
     }
 
     [[nodiscard]] bool hasFreeCorner(FaceId face) const {
         return std::ranges::any_of(vertices(face),
-                                   [&](int vertex) { return frames_[at(vertex)].has_value(); });
+                                   [&](VertexId vertex) { return frames_[at(vertex)].has_value(); });
     }
 
     [[nodiscard]] CornerFrames frames(FaceId face) const {
         CornerFrames result{};
         std::ranges::transform(vertices(face), result.begin(),
-                               [&](int vertex) { return orNull(frames_[at(vertex)]); });
+                               [&](VertexId vertex) { return orNull(frames_[at(vertex)]); });
         return result;
     }
 
@@ -89,7 +83,7 @@ private:
         std::vector<Eigen::Vector3d> sums(mesh_.n_vertices(), Eigen::Vector3d::Zero());
         for (const FaceId face : mesh_.faces()) {
             std::size_t corner = 0;
-            for (const int vertex : vertices(face))
+            for (const VertexId vertex : vertices(face))
                 sums[at(vertex)] += normals[at(face)][corner++];
         }
         return sums;
@@ -116,7 +110,7 @@ private:
             if (!hasFreeCorner(face)) return;
             CornerTilts ofCorners;
             Eigen::Index row = 0;
-            for (const int vertex : vertices(face)) {
+            for (const VertexId vertex : vertices(face)) {
                 ofCorners.segment<3>(row) = tilts[at(vertex)];
                 row += 3;
             }

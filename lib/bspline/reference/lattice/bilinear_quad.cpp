@@ -25,4 +25,9 @@ double BilinearQuad::minCosine() const {
     return min;
 }
 
+BilinearQuad quadBelow(const ReferenceGrid& reference, int i, int j) {
+    return BilinearQuad({reference.vertex(i, j), reference.vertex(i + 1, j), reference.vertex(i + 1, j + 1),
+                         reference.vertex(i, j + 1)});
+}
+
 } // namespace qm

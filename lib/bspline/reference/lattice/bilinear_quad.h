@@ -1,6 +1,7 @@
 /// \file The bilinear surface through the corners of a quad.
 #pragma once
 
+#include "bspline/reference/lattice/reference_grid.h"
 #include "bspline/splines/evaluate.h"
 
 #include <array>
@@ -22,5 +23,8 @@ private:
     std::array<Point, 4> corners_;
     Point normal_; ///< unit, in the middle
 };
+
+/// That of quad (i, j) of a grid, of which the reference interpolates the corners.
+[[nodiscard]] BilinearQuad quadBelow(const ReferenceGrid& reference, int i, int j);
 
 } // namespace qm

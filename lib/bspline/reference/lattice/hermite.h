@@ -29,4 +29,12 @@ struct Hermite {
     return result;
 }
 
+/// Between the values at a quad's corners, counter-clockwise from the first: flat at all of them.
+template <class Value>
+[[nodiscard]] Value betweenCorners(const Hermite& u, const Hermite& v, const std::array<Value, 4>& corners) {
+    const auto& [a, b, c, d] = corners;
+    return v.value[0][0] * (u.value[0][0] * a + u.value[1][0] * b) +
+           v.value[1][0] * (u.value[0][0] * d + u.value[1][0] * c);
+}
+
 } // namespace qm

@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace qm {
+
 std::size_t LatticeNumbers::count() const {
     const std::size_t inside = at(squares_ - 1);
     return mesh_->n_vertices() + mesh_->n_edges() * inside + mesh_->n_faces() * inside * inside;
@@ -30,6 +31,16 @@ std::size_t LatticeNumbers::operator()(HalfedgeId halfedge, int along, int depth
         along = std::exchange(depth, along), along = squares_ - along;
     return mesh_->n_vertices() + mesh_->n_edges() * at(squares_ - 1) +
            (at(face) * at(squares_ - 1) + at(depth - 1)) * at(squares_ - 1) + at(along - 1);
+}
+
+std::array<VertexId, 4> LatticeNumbers::corners(FaceId face) const {
+    std::array<VertexId, 4> result;
+    HalfedgeId side = mesh_->halfedge_handle(face);
+    for (VertexId& vertex : result) {
+        vertex = mesh_->from_vertex_handle(side);
+        side = mesh_->next_halfedge_handle(side);
+    }
+    return result;
 }
 
 std::vector<std::size_t> LatticeNumbers::ofSegment(const Segment& segment) const {

@@ -4,6 +4,7 @@
 #include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,6 +27,8 @@ public:
     [[nodiscard]] std::size_t operator()(FaceId face, int i, int j) const {
         return (*this)(mesh_->halfedge_handle(face), i, j);
     }
+    /// The vertices of a face, counter-clockwise from the one in column and row 0.
+    [[nodiscard]] std::array<VertexId, 4> corners(FaceId face) const;
     /// All points of a segment in the order of `ReferenceGrid::points`.
     [[nodiscard]] std::vector<std::size_t> ofSegment(const Segment& segment) const;
 

@@ -176,12 +176,17 @@ private:
             side = mesh_.next_halfedge_handle(side);
         }
         const int part = corners_.partOf(face);
+        std::array<double, 4> offs{}; // the face is to be off its plane as its corners are
+        if (part != PlaneParts::none)
+            std::ranges::transform(before_.numbers().corners(face), offs.begin(),
+                                   [&](VertexId corner) { return off(corners_.plane(part), corner); });
         for (std::size_t j = 1; j < last_; ++j)
             for (std::size_t i = 1; i < last_; ++i) {
                 Point to = point(before(first, i, j) + ways[place(0, i, j)]);
                 if (part != PlaneParts::none) {
                     const Plane& plane = corners_.plane(part);
-                    to += (offInside(plane, first, i, j) - plane.distance(to)) * plane.normal;
+                    to +=
+                        (betweenCorners(hermite_[i], hermite_[j], offs) - plane.distance(to)) * plane.normal;
                 }
                 lattice_.move(lattice_.numbers()(first, static_cast<int>(i), static_cast<int>(j)), to);
             }
@@ -200,17 +205,6 @@ private:
         default:
             return at(depth, last_ - along);
         }
-    }
-
-    /// How far a face is to be off its plane as its corners are.
-    [[nodiscard]] double offInside(const Plane& plane, HalfedgeId first, std::size_t i, std::size_t j) const {
-        const HalfedgeId far = mesh_.next_halfedge_handle(mesh_.next_halfedge_handle(first));
-        const auto& u = hermite_[i].value;
-        const auto& v = hermite_[j].value;
-        return v[0][0] * (u[0][0] * off(plane, mesh_.from_vertex_handle(first)) +
-                          u[1][0] * off(plane, mesh_.to_vertex_handle(first))) +
-               v[1][0] * (u[0][0] * off(plane, mesh_.to_vertex_handle(far)) +
-                          u[1][0] * off(plane, mesh_.from_vertex_handle(far)));
     }
 
     MeshLattice& lattice_;
