@@ -1,11 +1,7 @@
 #include "bspline/fitting/fit_state.h"
 
 #include "base/parallel.h"
-#include "bspline/fitting/knots/border_knots.h"
-#include "bspline/fitting/knots/initial_knots.h"
 #include "bspline/fitting/knots/knot_insertion.h"
-#include "bspline/fitting/knots/reach_alignment.h"
-#include "bspline/fitting/knots/uneven_lines.h"
 #include "bspline/fitting/lattice/lattice_cells.h"
 #include "bspline/fitting/lattice/lattice_holds.h"
 #include "bspline/fitting/planes/flattening.h"
@@ -20,13 +16,10 @@
 namespace qm {
 namespace {
 
-/// How far single cubics between the first knots may be from the reference, in tolerances. A spline with
-/// these knots is farther away, because its pieces must fit together.
-struct FirstKnots {
-    static constexpr double ofPatches = 0.2;
-    static constexpr double ofBorders = 0.4;
-    /// Where patches fold, the distances are reduced to this share, up to so many times; after that, knots
-    /// are inserted where they fold.
+/// What is done about folds of the first fit.
+struct Unfolding {
+    /// Where patches fold, the distances of the first knots are reduced to this share, up to so many times;
+    /// after that, knots are inserted where they fold.
     static constexpr double closer = 0.3;
     static constexpr int maxTimes = 3;
     /// Folds of a reference that is nothing but noise take ever more knots: control points grow up to so many
@@ -56,35 +49,14 @@ std::vector<bool> marked(const std::vector<PatchErrors>& errors, const OfKind& i
 
 FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
                    const std::vector<bool>& isSoft, unsigned jobs)
-    : layout_(problem.layout), options_(options), jobs_(jobs),
-      map_(problem.mesh, problem.layout, problem.network),
-      evenVertices_(evenVertices(problem.mesh, problem.network, problem.reference.grids)),
-      planWithoutKnots_(problem.layout, problem.network,
-                        partsOfEdges(problem.reference.grids, options.minInterval * options.tolerance),
-                        unevenLines(problem.reference.grids)),
-      plan_(planWithoutKnots_),
-      sources_(latticeSources(problem.mesh, problem.layout, problem.network, problem.reference, jobs)),
-      normalLimits_(problem.reference.grids.begin(), problem.reference.grids.end()),
-      lattices_(sources_.size()), kept_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
-      reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {
-    for (std::size_t k = 0; k < sources_.size(); ++k) {
-        const ReferenceGrid& grid = *sources_[k].grid;
-        plates_.push_back(isSoft[k] ? softPlates(grid.size)
-                                    : thinPlates(grid, sources_[k].isStiff, options.tolerance));
-    }
-}
-
-std::array<std::vector<double>, 2>
-FitState::parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const {
-    const auto& size = layout_.segments[patch].size;
-    return {latticeParameters(size[0], options_.steps, knots[0]),
-            latticeParameters(size[1], options_.steps, knots[1])};
-}
+    : setup_(problem, options, isSoft, jobs), plan_(setup_.planWithoutKnots), lattices_(count()),
+      kept_(count()), errors_(count()), givenUp_(count()), reweighed_(count()), missed_(count()),
+      scale_(count(), 1) {}
 
 /// Marks the patches whose knots, weights or tangent ratios have changed since the last solution.
 std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before) const {
     std::vector<bool> changed = reweighed_;
-    for (std::size_t k = 0; k < sources_.size(); ++k)
+    for (std::size_t k = 0; k < count(); ++k)
         if (spaces_[k].knots != before[k].knots) changed[k] = true;
     for (std::size_t k = 0; k < solvedRuns_.size(); ++k)
         if (const SmoothRun& run = plan_.runs()[k]; run.ratio != solvedRuns_[k].ratio)
@@ -100,55 +72,26 @@ bool FitState::isSolvedWith(const KnotPlan& plan) const {
            std::ranges::equal(plan.runs(), solvedRuns_, {}, &SmoothRun::ratio, &SmoothRun::ratio);
 }
 
-/// A lattice without knots, so that steps are equal, with the reference as its target.
-FitLattice FitState::evenLattice(std::size_t patch) const {
-    return makeLattice(sources_[patch], parametersOf(patch, {}));
-}
-
-std::vector<FitLattice> FitState::evenLattices() const {
-    std::vector<FitLattice> lattices(sources_.size());
-    parallelFor(sources_.size(), jobs_, [&](std::size_t k) { lattices[k] = evenLattice(k); });
-    return lattices;
-}
-
-/// \param lattices  of equal steps
-/// \param share     by patch: of the distances of `FirstKnots`
-KnotPlan FitState::firstKnots(const std::vector<FitLattice>& lattices,
-                              const std::vector<double>& share) const {
-    const auto tolerances = [&](double distance) {
-        std::vector<double> result = share;
-        for (double& ofPatch : result)
-            ofPatch *= distance * options_.tolerance;
-        return result;
-    };
-    KnotPlan plan = planWithoutKnots_;
-    insertInitialKnots(layout_, lattices, normalLimits_, map_, tolerances(FirstKnots::ofPatches), plan);
-    insertBorderKnots(layout_, lattices, normalLimits_, tolerances(FirstKnots::ofBorders), plan);
-    plan.endAtFirstKnots();
-    alignReaches(plan, evenVertices_, options_.evenBorders * options_.tolerance);
-    return plan;
-}
-
 void FitState::solveFirst(int slides, const std::function<bool()>& isStopRequested) {
-    std::vector<double> share(sources_.size(), 1);
-    lattices_ = evenLattices();
-    plan_ = firstKnots(lattices_, share);
+    std::vector<double> share(count(), 1);
+    lattices_ = setup_.evenLattices();
+    plan_ = setup_.firstKnots(lattices_, share);
     spaces_ = plan_.spaces();
     solveFor(everywhere(), slides);
     std::size_t quads = 0;
-    for (const Segment& segment : layout_.segments)
+    for (const Segment& segment : setup_.layout.segments)
         quads += segment.faces.size();
     const std::size_t maxControlPoints =
-        FirstKnots::maxGrowth * controlPointCount(patches_) + FirstKnots::maxPerQuad * quads;
+        Unfolding::maxGrowth * controlPointCount(patches_) + Unfolding::maxPerQuad * quads;
     std::vector<bool> begunFor; // those that were folded when patches began anew with the knots they had
-    for (int times = 0; times < options_.unfoldings && isFolded(); ++times) {
+    for (int times = 0; times < setup_.options.unfoldings && isFolded(); ++times) {
         if (controlPointCount(patches_) > maxControlPoints) break;
         std::optional<KnotPlan> plan;
-        if (times < FirstKnots::maxTimes) {
+        if (times < Unfolding::maxTimes) {
             const std::vector<bool> folded = foldedPatches();
             for (std::size_t k = 0; k < share.size(); ++k)
-                if (folded[k]) share[k] *= FirstKnots::closer;
-            plan = firstKnots(evenLattices(), share);
+                if (folded[k]) share[k] *= Unfolding::closer;
+            plan = setup_.firstKnots(setup_.evenLattices(), share);
             const bool hasSameKnots = isSolvedWith(*plan);
             if (hasSameKnots && folded == begunFor) continue; // they would fold in the same way
             begunFor = hasSameKnots ? folded : std::vector<bool>{};
@@ -160,11 +103,11 @@ void FitState::solveFirst(int slides, const std::function<bool()>& isStopRequest
             break;
         beginAnew(slides);
     }
-    if (options_.unfoldings == 0 || !isFolded() || isStopRequested()) return;
+    if (setup_.options.unfoldings == 0 || !isFolded() || isStopRequested()) return;
     // Something else makes them fold.
     for (std::size_t k = 0; k < share.size(); ++k)
         if (errors_[k].anyFolded()) share[k] = 1;
-    plan_ = firstKnots(evenLattices(), share);
+    plan_ = setup_.firstKnots(setup_.evenLattices(), share);
     beginAnew(slides);
 }
 
@@ -172,8 +115,8 @@ void FitState::solveFirst(int slides, const std::function<bool()>& isStopRequest
 /// what was learnt before, and solves for them, or does so with all if that is impossible.
 void FitState::beginAnew(int slides) {
     const auto begin = [&](const std::vector<bool>& isFree) {
-        parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
-            if (isFree[k]) changing(k) = evenLattice(k);
+        parallelFor(count(), setup_.jobs, [&](std::size_t k) {
+            if (isFree[k]) changing(k) = setup_.evenLattice(k);
         });
         return solveFor(isFree, slides);
     };
@@ -190,27 +133,30 @@ void FitState::solveChanged(int slides) {
 template <class OfKind> std::vector<bool> FitState::freeAround(const OfKind& isOfKind) {
     const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
     std::vector<bool> changed = changedPatches(before);
-    for (std::size_t k = 0; k < sources_.size(); ++k)
+    for (std::size_t k = 0; k < count(); ++k)
         if (isOfKind(errors_[k])) changed[k] = true;
-    return freePatches(plan_.stretches(), spaces_, changed, options_.ringsAround, options_.worthAll);
+    return freePatches(plan_.stretches(), spaces_, changed, setup_.options.ringsAround,
+                       setup_.options.worthAll);
 }
 
 /// Solves for the free patches, and measures them.
 /// \return false if only some patches are free and these cannot meet the others; then no target has slid
 bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     const auto forFree = [&](const auto& function) {
-        parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+        parallelFor(count(), setup_.jobs, [&](std::size_t k) {
             if (isFree[k]) function(k);
         });
     };
-    patches_.resize(sources_.size());
+    patches_.resize(count());
     forFree([&](std::size_t k) {
-        const auto parameters = parametersOf(k, spaces_[k].knots);
+        const auto parameters = setup_.parametersOf(k, spaces_[k].knots);
         FitLattice& lattice = changing(k);
-        if (parameters != lattice.targets.parameters) lattice = resample(sources_[k], lattice, parameters);
+        if (parameters != lattice.targets.parameters)
+            lattice = resample(setup_.sources[k], lattice, parameters);
         releaseHolds(lattice);
     });
-    SmoothSystem system(layout_, plan_, spaces_, lattices_, plates_, isFree, patches_, jobs_);
+    SmoothSystem system(setup_.layout, plan_, spaces_, lattices_, setup_.plates, isFree, patches_,
+                        setup_.jobs);
     if (isFree != everywhere()) {
         system.solve(lattices_, Accuracy::rounding, patches_);
         if (!system.holds()) return false;
@@ -218,22 +164,22 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     for (int k = 0; k < slides; ++k) {
         system.solve(lattices_, Accuracy::draft, patches_);
         forFree([&](std::size_t i) {
-            const double share = scale_[i] > 1 ? 0 : options_.slack;
-            slideTargets(patches_[i], share * options_.tolerance, lattices_[i]);
+            const double share = scale_[i] > 1 ? 0 : setup_.options.slack;
+            slideTargets(patches_[i], share * setup_.options.tolerance, lattices_[i]);
         });
     }
     system.solve(lattices_, Accuracy::rounding, patches_);
     assess(isFree);
-    reweighed_.assign(sources_.size(), false);
+    reweighed_.assign(count(), false);
     solvedRuns_ = plan_.runs();
     return true;
 }
 
 /// Measures patches again at the points of their lattices.
 void FitState::assess(const std::vector<bool>& isNew) {
-    parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+    parallelFor(count(), setup_.jobs, [&](std::size_t k) {
         if (!isNew[k]) return;
-        errors_[k] = latticeErrors(lattices_[k], patches_[k], options_.tolerance, scale_[k]);
+        errors_[k] = latticeErrors(lattices_[k], patches_[k], setup_.options.tolerance, scale_[k]);
         missed_[k] = missedBy(errors_[k]);
         givenUp_[k].cap(lattices_[k], errors_[k]);
     });
@@ -275,23 +221,23 @@ FitLattice& FitState::changing(std::size_t patch) {
 void FitState::restore(const FitRound& round) {
     plan_ = *round.plan;
     spaces_ = plan_.spaces();
-    parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
-        if (kept_[k] != round.lattices[k]) lattices_[k] = restored(sources_[k], *round.lattices[k]);
+    parallelFor(count(), setup_.jobs, [&](std::size_t k) {
+        if (kept_[k] != round.lattices[k]) lattices_[k] = restored(setup_.sources[k], *round.lattices[k]);
     });
     kept_ = round.lattices;
     givenUp_ = round.givenUp;
-    reweighed_.assign(sources_.size(), false);
+    reweighed_.assign(count(), false);
     patches_ = round.patches;
     solvedRuns_ = plan_.runs();
     assess(everywhere());
 }
 
 bool FitState::flatten(std::vector<std::optional<FlatPatch>>& planes, int slides) {
-    if (!qm::flatten(layout_, plan_, planes, patches_, jobs_)) return false;
+    if (!qm::flatten(setup_.layout, plan_, planes, patches_, setup_.jobs)) return false;
     std::vector<bool> isFree(planes.size());
     for (std::size_t k = 0; k < planes.size(); ++k)
         isFree[k] = planes[k].has_value();
-    isFree = withNeighbours(plan_.stretches(), std::move(isFree), options_.ringsAround);
+    isFree = withNeighbours(plan_.stretches(), std::move(isFree), setup_.options.ringsAround);
     for (std::size_t k = 0; k < planes.size(); ++k)
         if (planes[k]) isFree[k] = false;
     std::vector<Patch> flat = patches_;
@@ -317,12 +263,12 @@ bool FitState::weighWhatIsMissed() {
 
 /// Sets a patch's weights to its emphasis.
 void FitState::reweigh(std::size_t patch) {
-    weighTargets(sources_[patch], changing(patch));
+    weighTargets(setup_.sources[patch], changing(patch));
     reweighed_[patch] = true;
 }
 
 bool FitState::refine() {
-    return qm::refine(layout_, lattices_, map_, spaces_, errors_, plan_);
+    return qm::refine(setup_.layout, lattices_, setup_.map, spaces_, errors_, plan_);
 }
 
 template <class Function> void FitState::forBadCells(double limit, Function&& function) {
@@ -332,14 +278,14 @@ template <class Function> void FitState::forBadCells(double limit, Function&& fu
 }
 
 bool FitState::removeKnots() {
-    removed_ =
-        qm::removeKnots(lattices_, normalLimits_, patches_, errors_, options_.tolerance, removalLimit, plan_);
+    removed_ = qm::removeKnots(lattices_, setup_.normalLimits, patches_, errors_, setup_.options.tolerance,
+                               removalLimit, plan_);
     return !removed_.empty();
 }
 
 bool FitState::putBackKnots(Where where) {
-    std::vector<std::vector<KnotCell>> missed(sources_.size());
-    std::vector<bool> patches(sources_.size());
+    std::vector<std::vector<KnotCell>> missed(count());
+    std::vector<bool> patches(count());
     forBadCells(1, [&](const KnotCell& cell, std::size_t k) {
         missed[k].push_back(cell);
         patches[k] = true;
@@ -359,7 +305,7 @@ bool FitState::putBackKnots(Where where) {
 }
 
 void FitState::giveUpCells(double limit, BadCells which) {
-    std::vector<bool> changed(sources_.size());
+    std::vector<bool> changed(count());
     forBadCells(limit, [&](const KnotCell& cell, std::size_t k) {
         if (which == BadCells::foldedOnly && !isNear(cell, lattices_[k], errors_[k])) return;
         givenUp_[k].add(cell, changing(k), errors_[k]);
@@ -397,7 +343,7 @@ bool FitState::tighten(const FitRound& round) {
     // Errors are scaled by so much in addition, lest the tolerance be just missed again.
     constexpr double reserve = 1.03;
     bool changed = false;
-    for (std::size_t k = 0; k < sources_.size(); ++k) {
+    for (std::size_t k = 0; k < count(); ++k) {
         const double found = round.distances[k];
         const double told = errors_[k].maxDistance();
         if (found <= 1 || found <= agreement * told || !(told > 0)) continue;

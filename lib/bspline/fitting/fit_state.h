@@ -1,21 +1,16 @@
 /// \file The state of a fit: its knots, the patches fitted with them, and their distances from the reference.
 #pragma once
 
-#include "bspline/fitting/energy/thin_plate.h"
-#include "bspline/fitting/fit_options.h"
 #include "bspline/fitting/fit_problem.h"
 #include "bspline/fitting/fit_round.h"
-#include "bspline/fitting/knots/even_vertices.h"
+#include "bspline/fitting/fit_setup.h"
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/knots/knot_removal.h"
 #include "bspline/fitting/lattice/fit_lattice.h"
 #include "bspline/fitting/lattice/given_up_cells.h"
 #include "bspline/fitting/lattice/lattice_errors.h"
-#include "bspline/fitting/lattice/normal_limits.h"
 #include "bspline/fitting/planes/flat_patches.h"
-#include "bspline/network/stretch_map.h"
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -95,16 +90,11 @@ public:
     bool tighten(const FitRound& round);
 
 private:
-    [[nodiscard]] std::vector<bool> everywhere() const { return std::vector<bool>(sources_.size(), true); }
-    [[nodiscard]] std::array<std::vector<double>, 2>
-    parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const;
+    [[nodiscard]] std::size_t count() const { return setup_.sources.size(); } ///< of patches
+    [[nodiscard]] std::vector<bool> everywhere() const { return std::vector<bool>(count(), true); }
     [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const;
     [[nodiscard]] bool isSolvedWith(const KnotPlan& plan) const;
-    [[nodiscard]] FitLattice evenLattice(std::size_t patch) const;
-    [[nodiscard]] std::vector<FitLattice> evenLattices() const;
     bool allowShorter() { return allow(MinInterval::eighth) || allow(MinInterval::thirtySecond); }
-    [[nodiscard]] KnotPlan firstKnots(const std::vector<FitLattice>& lattices,
-                                      const std::vector<double>& share) const;
     void beginAnew(int slides);
     template <class OfKind> std::vector<bool> freeAround(const OfKind& isOfKind);
     bool solveFor(const std::vector<bool>& isFree, int slides);
@@ -115,16 +105,8 @@ private:
     void giveUpCells(double limit, BadCells which);
     void reweigh(std::size_t patch);
 
-    const Layout& layout_;
-    const SmoothFitOptions& options_;
-    unsigned jobs_;
-    StretchMap map_;
-    std::vector<EvenVertex> evenVertices_;
-    KnotPlan planWithoutKnots_;
+    FitSetup setup_;
     KnotPlan plan_;
-    std::vector<LatticeSource> sources_;
-    std::vector<NormalLimits> normalLimits_;
-    std::vector<std::vector<ThinPlate>> plates_; ///< by patch and quad
     std::vector<FitLattice> lattices_;
     /// By patch: a shared copy of its lattice's progress, if the lattice has not changed since.
     std::vector<std::shared_ptr<const LatticeProgress>> kept_;
