@@ -61,8 +61,8 @@ KnotPlan FitSetup::firstKnots(const std::vector<FitLattice>& lattices,
         return result;
     };
     KnotPlan plan = planWithoutKnots;
-    insertInitialKnots(layout, lattices, normalLimits, map, tolerances(FirstKnots::ofPatches), plan);
-    insertBorderKnots(layout, lattices, normalLimits, tolerances(FirstKnots::ofBorders), plan);
+    insertInitialKnots(lattices, normalLimits, map, tolerances(FirstKnots::ofPatches), plan);
+    insertBorderKnots(lattices, normalLimits, tolerances(FirstKnots::ofBorders), plan);
     plan.endAtFirstKnots();
     alignReaches(plan, evenVertices, options.evenBorders * options.tolerance);
     return plan;

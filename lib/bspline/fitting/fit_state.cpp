@@ -28,9 +28,6 @@ struct Unfolding {
     static constexpr std::size_t maxPerQuad = 4;
 };
 
-/// Knots are removed only if the errors stay below this; errors closer to 1 would bring the knots back.
-constexpr double removalLimit = 0.9;
-
 /// The weight of a point grows by `growth` per round, up to `max`.
 struct Emphasis {
     static constexpr double growth = 3;
@@ -155,8 +152,7 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
             lattice = resample(setup_.sources[k], lattice, parameters);
         releaseHolds(lattice);
     });
-    SmoothSystem system(setup_.layout, plan_, spaces_, lattices_, setup_.plates, isFree, patches_,
-                        setup_.jobs);
+    SmoothSystem system(plan_, spaces_, lattices_, setup_.plates, isFree, patches_, setup_.jobs);
     if (isFree != everywhere()) {
         system.solve(lattices_, Accuracy::rounding, patches_);
         if (!system.holds()) return false;
@@ -233,7 +229,7 @@ void FitState::restore(const FitRound& round) {
 }
 
 bool FitState::flatten(std::vector<std::optional<FlatPatch>>& planes, int slides) {
-    if (!qm::flatten(setup_.layout, plan_, planes, patches_, setup_.jobs)) return false;
+    if (!qm::flatten(plan_, planes, patches_, setup_.jobs)) return false;
     std::vector<bool> isFree(planes.size());
     for (std::size_t k = 0; k < planes.size(); ++k)
         isFree[k] = planes[k].has_value();
@@ -268,7 +264,7 @@ void FitState::reweigh(std::size_t patch) {
 }
 
 bool FitState::refine() {
-    return qm::refine(setup_.layout, lattices_, setup_.map, spaces_, errors_, plan_);
+    return qm::refine(lattices_, setup_.map, spaces_, errors_, plan_);
 }
 
 template <class Function> void FitState::forBadCells(double limit, Function&& function) {
@@ -278,8 +274,8 @@ template <class Function> void FitState::forBadCells(double limit, Function&& fu
 }
 
 bool FitState::removeKnots() {
-    removed_ = qm::removeKnots(lattices_, setup_.normalLimits, patches_, errors_, setup_.options.tolerance,
-                               removalLimit, plan_);
+    removed_ =
+        qm::removeKnots(lattices_, setup_.normalLimits, patches_, errors_, setup_.options.tolerance, plan_);
     return !removed_.empty();
 }
 

@@ -46,7 +46,7 @@ protected:
     }
 
     void insert(double tolerance) {
-        insertBorderKnots(layout, lattices, limits, std::vector(lattices.size(), tolerance), plan);
+        insertBorderKnots(lattices, limits, std::vector(lattices.size(), tolerance), plan);
     }
 
     /// The knots of a patch along the border, as places i of the sheet, ascending.

@@ -304,7 +304,7 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
         plates.push_back(thinPlates(target.grids[k], sources[k].isStiff, 0.1));
     }
     const auto solve = [&](const std::vector<bool>& isFree, std::vector<Patch>& patches) {
-        SmoothSystem system(layout, plan, spaces, lattices, plates, isFree, patches, 1);
+        SmoothSystem system(plan, spaces, lattices, plates, isFree, patches, 1);
         system.solve(lattices, Accuracy::rounding, patches);
         return system.holds();
     };

@@ -16,8 +16,7 @@ namespace {
 /// The knots of one stretch.
 class StretchKnots {
 public:
-    StretchKnots(const Layout& layout, const Stretch& stretch, KnotPlan& plan)
-        : layout_(layout), stretch_(stretch), plan_(plan) {}
+    StretchKnots(const Stretch& stretch, KnotPlan& plan) : stretch_(stretch), plan_(plan) {}
 
     /// The last grid line from `begin` to `end`, both included, that is a knot of all given sides.
     /// \return 0 if there is none
@@ -34,7 +33,7 @@ public:
 
 private:
     [[nodiscard]] double parameter(int x, const StretchSide& place) const {
-        return patchParameter(layout_.segments[place.patch].size, place, x);
+        return patchParameter(plan_.sizes()[place.patch], place, x);
     }
     [[nodiscard]] bool isKnot(int x, std::size_t side) const {
         const StretchSide& place = stretch_.sides[side];
@@ -42,7 +41,6 @@ private:
                                           parameter(x, place));
     }
 
-    const Layout& layout_;
     const Stretch& stretch_;
     KnotPlan& plan_;
 };
@@ -60,12 +58,11 @@ int nextKnot(const StretchKnots& knots, int begin, int farthest) {
 
 } // namespace
 
-void insertBorderKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
-                       const std::vector<NormalLimits>& limits, const std::vector<double>& tolerances,
-                       KnotPlan& plan) {
+void insertBorderKnots(const std::vector<FitLattice>& lattices, const std::vector<NormalLimits>& limits,
+                       const std::vector<double>& tolerances, KnotPlan& plan) {
     for (const Stretch& stretch : plan.stretches()) {
         const StretchSide& place = stretch.sides[0];
-        const auto& size = layout.segments[place.patch].size;
+        const auto& size = plan.sizes()[place.patch];
         const double tolerance = std::min(tolerances[place.patch], tolerances[stretch.sides[1].patch]);
         LatticeLines lines(lattices[place.patch], limits[place.patch], directionAlong(place.side), tolerance);
         const std::size_t line = isFarSide(place.side) ? lines.count() - 1 : 0; // along the side
@@ -74,7 +71,7 @@ void insertBorderKnots(const Layout& layout, const std::vector<FitLattice>& latt
             const auto b = static_cast<int>(patchParameter(size, place, end));
             return lines.fits(line, std::min(a, b), std::max(a, b));
         };
-        StretchKnots knots(layout, stretch, plan);
+        StretchKnots knots(stretch, plan);
         for (int begin = 0; begin < stretch.length();) {
             const int farthest = farthestReach(begin, stretch.length(), fits);
             if (farthest == stretch.length()) break;

@@ -14,8 +14,7 @@ namespace qm {
 /// these serve the border; knots that one side has already are preferred.
 /// \param lattices    by patch, of equal steps
 /// \param tolerances  by patch: how far a cubic may be away from its borders
-void insertBorderKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
-                       const std::vector<NormalLimits>& limits, const std::vector<double>& tolerances,
-                       KnotPlan& plan);
+void insertBorderKnots(const std::vector<FitLattice>& lattices, const std::vector<NormalLimits>& limits,
+                       const std::vector<double>& tolerances, KnotPlan& plan);
 
 } // namespace qm

@@ -7,31 +7,30 @@
 
 namespace qm {
 
-std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map, const KnotPlan& plan,
-                                std::size_t patch, std::size_t direction) {
+std::vector<double> knotsBeside(const StretchMap& map, const KnotPlan& plan, std::size_t patch,
+                                std::size_t direction) {
     std::vector<double> knots;
     for (const bool isFar : {false, true})
         for (const StretchEnd& end : map.on(patch, sideAcross(1 - direction, isFar))) {
             const Stretch& stretch = plan.stretches()[end.stretch];
             const StretchSide& other = stretch.sides[1 - end.which];
             for (const double knot : plan.chosen(other.patch, directionAlong(other.side))) {
-                const double x = stretchParameter(layout.segments[other.patch].size, other, knot);
+                const double x = stretchParameter(plan.sizes()[other.patch], other, knot);
                 if (x > 0 && x < stretch.length())
-                    knots.push_back(patchParameter(layout.segments[patch].size, stretch.sides[end.which], x));
+                    knots.push_back(patchParameter(plan.sizes()[patch], stretch.sides[end.which], x));
             }
         }
     std::ranges::sort(knots);
     return knots;
 }
 
-void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
-                        const std::vector<NormalLimits>& limits, const StretchMap& map,
-                        const std::vector<double>& tolerances, KnotPlan& plan) {
+void insertInitialKnots(const std::vector<FitLattice>& lattices, const std::vector<NormalLimits>& limits,
+                        const StretchMap& map, const std::vector<double>& tolerances, KnotPlan& plan) {
     for (std::size_t patch = 0; patch < lattices.size(); ++patch)
         for (std::size_t direction = 0; direction < 2; ++direction) {
             LatticeLines lines(lattices[patch], limits[patch], direction, tolerances[patch]);
             const auto fit = [&](int begin, int end) { return lines.fit(begin, end); };
-            const auto beside = knotsBeside(layout, map, plan, patch, direction);
+            const auto beside = knotsBeside(map, plan, patch, direction);
             int begin = 0;
             while (begin < lines.length()) {
                 int end = farthestReach(begin, lines.length(), fit);

@@ -19,13 +19,12 @@ constexpr double notMuchNearer = 0.5;
 /// within their limits. If a neighbour has a knot that is not much nearer, that one is taken, because only
 /// knots that both sides have serve the border between them. The lattices must have equal steps.
 /// \param tolerances  by patch
-void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
-                        const std::vector<NormalLimits>& limits, const StretchMap& map,
-                        const std::vector<double>& tolerances, KnotPlan& plan);
+void insertInitialKnots(const std::vector<FitLattice>& lattices, const std::vector<NormalLimits>& limits,
+                        const StretchMap& map, const std::vector<double>& tolerances, KnotPlan& plan);
 
 /// The knots of a patch's neighbours along the sides in direction u (0) or v (1), as parameters of the patch,
 /// ascending.
-[[nodiscard]] std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map,
-                                              const KnotPlan& plan, std::size_t patch, std::size_t direction);
+[[nodiscard]] std::vector<double> knotsBeside(const StretchMap& map, const KnotPlan& plan, std::size_t patch,
+                                              std::size_t direction);
 
 } // namespace qm

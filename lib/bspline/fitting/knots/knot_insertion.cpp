@@ -13,9 +13,9 @@ namespace {
 
 class Refinement {
 public:
-    Refinement(const Layout& layout, const std::vector<FitLattice>& lattices, const StretchMap& map,
+    Refinement(const std::vector<FitLattice>& lattices, const StretchMap& map,
                const std::vector<PatchSpace>& spaces, const std::vector<PatchErrors>& errors, KnotPlan& plan)
-        : layout_(layout), lattices_(lattices), map_(map), spaces_(spaces), errors_(errors), plan_(plan) {
+        : lattices_(lattices), map_(map), spaces_(spaces), errors_(errors), plan_(plan) {
         measureNeighbourhoods();
     }
 
@@ -49,7 +49,7 @@ private:
 
     /// The part of a border along which a tangent ratio does not vanish.
     [[nodiscard]] KnotCell along(const StretchSide& place, double x, double reach) const {
-        const auto& size = layout_.segments[place.patch].size;
+        const auto& size = plan_.sizes()[place.patch];
         const std::size_t direction = directionAlong(place.side);
         const double a = patchParameter(size, place, x);
         const double b = patchParameter(size, place, x + reach);
@@ -96,13 +96,13 @@ private:
     /// Whether a place is on a side that runs in this direction.
     [[nodiscard]] bool isOnBorder(std::size_t patch, std::size_t direction, const WorstPoint& worst) const {
         const double across = worst.at[1 - direction];
-        return across == 0 || across == layout_.segments[patch].size[1 - direction];
+        return across == 0 || across == plan_.sizes()[patch][1 - direction];
     }
 
     /// Divides the cell's interval, or the interval of a neighbour beside it where that is longer.
     void divideAlong(std::size_t patch, std::size_t direction, const KnotCell& cell,
                      const WorstPoint& worst) {
-        const auto& size = layout_.segments[patch].size;
+        const auto& size = plan_.sizes()[patch];
         const std::size_t other = 1 - direction;
         const double own = cell.length(direction);
         bool isOwnNeeded = true;
@@ -129,7 +129,7 @@ private:
         if (length <= plan_.minInterval(patch, direction)) return;
         double knot = length >= 2 ? std::floor((begin + end) / 2) : (begin + end) / 2;
         double nearest = 0.25 * length;
-        for (const double beside : knotsBeside(layout_, map_, plan_, patch, direction)) {
+        for (const double beside : knotsBeside(map_, plan_, patch, direction)) {
             const double off = std::abs(beside - (begin + end) / 2);
             if (off >= nearest) continue;
             nearest = off;
@@ -138,7 +138,6 @@ private:
         changed_ = plan_.insert(patch, direction, knot) || changed_;
     }
 
-    const Layout& layout_;
     const std::vector<FitLattice>& lattices_;
     const StretchMap& map_;
     const std::vector<PatchSpace>& spaces_;
@@ -150,9 +149,9 @@ private:
 
 } // namespace
 
-bool refine(const Layout& layout, const std::vector<FitLattice>& lattices, const StretchMap& map,
+bool refine(const std::vector<FitLattice>& lattices, const StretchMap& map,
             const std::vector<PatchSpace>& spaces, const std::vector<PatchErrors>& errors, KnotPlan& plan) {
-    return Refinement(layout, lattices, map, spaces, errors, plan).run();
+    return Refinement(lattices, map, spaces, errors, plan).run();
 }
 
 } // namespace qm

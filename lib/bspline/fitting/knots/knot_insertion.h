@@ -16,8 +16,8 @@ namespace qm {
 /// their neighbours are left for later, as these may be the cause.
 /// \param spaces  of the fit that has the errors
 /// \return false if there was nothing to do, or nothing could be done
-[[nodiscard]] bool refine(const Layout& layout, const std::vector<FitLattice>& lattices,
-                          const StretchMap& map, const std::vector<PatchSpace>& spaces,
-                          const std::vector<PatchErrors>& errors, KnotPlan& plan);
+[[nodiscard]] bool refine(const std::vector<FitLattice>& lattices, const StretchMap& map,
+                          const std::vector<PatchSpace>& spaces, const std::vector<PatchErrors>& errors,
+                          KnotPlan& plan);
 
 } // namespace qm

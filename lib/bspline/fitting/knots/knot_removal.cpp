@@ -9,6 +9,18 @@
 namespace qm {
 namespace {
 
+/// Knots are removed only if the errors stay below this; errors closer to 1 would bring the knots back.
+constexpr double limit = 0.9;
+
+/// A patch, and what decides on its knots.
+struct FittedPatch {
+    const FitLattice& lattice;
+    const NormalLimits& limits;
+    const Patch& patch;
+    const PatchErrors& errors;
+    double tolerance;
+};
+
 /// The third derivatives of a patch within one knot interval, by line across it.
 std::vector<Point> thirdDerivatives(const Patch& patch, std::size_t direction, double begin, double end,
                                     const std::vector<double>& lines) {
@@ -29,8 +41,8 @@ std::vector<Point> thirdDerivatives(const Patch& patch, std::size_t direction, d
 
 /// Predicts the largest error around a knot if it is removed: of distances in tolerances, and of slopes
 /// relative to their limits.
-double errorWithout(const FitLattice& lattice, const NormalLimits& limits, const Patch& patch,
-                    const PatchErrors& errors, double tolerance, std::size_t direction, std::size_t knot) {
+double errorWithout(const FittedPatch& fitted, std::size_t direction, std::size_t knot) {
+    const auto& [lattice, limits, patch, errors, tolerance] = fitted;
     // Deflection and slope of a beam under a load in its middle; the deflection lies between those for
     // clamped and for free ends.
     constexpr double deflection = 1.0 / 150;
@@ -61,18 +73,17 @@ double errorWithout(const FitLattice& lattice, const NormalLimits& limits, const
 
 std::vector<PatchKnot> removeKnots(const std::vector<FitLattice>& lattices,
                                    const std::vector<NormalLimits>& limits, const std::vector<Patch>& patches,
-                                   const std::vector<PatchErrors>& errors, double tolerance, double limit,
-                                   KnotPlan& plan) {
+                                   const std::vector<PatchErrors>& errors, double tolerance, KnotPlan& plan) {
     std::vector<PatchKnot> removed;
-    for (std::size_t patch = 0; patch < patches.size(); ++patch)
-        for (std::size_t direction = 0; direction < 2; ++direction) {
+    for (std::size_t patch = 0; patch < patches.size(); ++patch) {
+        const FittedPatch fitted{lattices[patch], limits[patch], patches[patch], errors[patch], tolerance};
+        for (const std::size_t direction : {0U, 1U}) {
             const auto& knots = patches[patch].knots[direction];
             std::vector<std::pair<double, std::size_t>> candidates;
             for (const double chosen : plan.chosen(patch, direction)) {
                 if (std::ranges::count(knots, chosen) != 1) continue;
                 const std::size_t knot = positionIn(knots, std::ranges::find(knots, chosen));
-                const double error = errorWithout(lattices[patch], limits[patch], patches[patch],
-                                                  errors[patch], tolerance, direction, knot);
+                const double error = errorWithout(fitted, direction, knot);
                 if (error < limit) candidates.emplace_back(error, knot);
             }
             std::ranges::sort(candidates);
@@ -84,6 +95,7 @@ std::vector<PatchKnot> removeKnots(const std::vector<FitLattice>& lattices,
                 removed.push_back({patch, direction, knots[knot]});
             }
         }
+    }
     return removed;
 }
 

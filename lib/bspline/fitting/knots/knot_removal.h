@@ -13,13 +13,13 @@
 namespace qm {
 
 /// Removes chosen knots, never two in a row. A knot goes if the jump of the third derivative at it predicts
-/// that without it all errors around, and the slopes relative to their limits, stay below `limit`. The
+/// that without it all errors around, and the slopes relative to their limits, stay a little below 1. The
 /// prediction is not certain, so the fit must be made and measured again.
 /// \return what was removed
 [[nodiscard]] std::vector<PatchKnot> removeKnots(const std::vector<FitLattice>& lattices,
                                                  const std::vector<NormalLimits>& limits,
                                                  const std::vector<Patch>& patches,
                                                  const std::vector<PatchErrors>& errors, double tolerance,
-                                                 double limit, KnotPlan& plan);
+                                                 KnotPlan& plan);
 
 } // namespace qm

@@ -9,9 +9,9 @@
 
 namespace qm {
 
-bool flatten(const Layout& layout, const KnotPlan& plan, std::vector<std::optional<FlatPatch>>& flat,
-             std::vector<Patch>& patches, unsigned jobs) {
-    const std::vector<MovingGroup> groups = movingGroups(layout, plan, flat, patches);
+bool flatten(const KnotPlan& plan, std::vector<std::optional<FlatPatch>>& flat, std::vector<Patch>& patches,
+             unsigned jobs) {
+    const std::vector<MovingGroup> groups = movingGroups(plan, flat, patches);
     std::vector<char> hasMoved(groups.size());
     parallelFor(groups.size(), jobs, [&](std::size_t k) {
         if (flattenGroup(groups[k], flat, patches)) hasMoved[k] = 1;

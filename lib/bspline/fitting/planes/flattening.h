@@ -4,7 +4,6 @@
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/planes/flat_patches.h"
 #include "bspline/splines/surfaces.h"
-#include "layout/layout.h"
 
 #include <optional>
 #include <vector>
@@ -17,7 +16,7 @@ namespace qm {
 /// \param flat    by patch; what turns out to contradict its neighbours is dropped from it
 /// \param jobs    threads; the result does not depend on their number
 /// \return whether a point was moved
-bool flatten(const Layout& layout, const KnotPlan& plan, std::vector<std::optional<FlatPatch>>& flat,
-             std::vector<Patch>& patches, unsigned jobs);
+bool flatten(const KnotPlan& plan, std::vector<std::optional<FlatPatch>>& flat, std::vector<Patch>& patches,
+             unsigned jobs);
 
 } // namespace qm

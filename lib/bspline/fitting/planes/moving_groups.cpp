@@ -57,8 +57,7 @@ std::vector<std::size_t> groupPatches(const KnotPlan& plan, const std::vector<Pa
 
 } // namespace
 
-std::vector<MovingGroup> movingGroups(const Layout& layout, const KnotPlan& plan,
-                                      const std::vector<std::optional<FlatPatch>>& flat,
+std::vector<MovingGroup> movingGroups(const KnotPlan& plan, const std::vector<std::optional<FlatPatch>>& flat,
                                       const std::vector<Patch>& patches) {
     const std::vector<bool> moves = movingPatches(plan, flat, patches);
     const std::vector<PatchSpace> spaces = plan.spaces();
@@ -74,7 +73,7 @@ std::vector<MovingGroup> movingGroups(const Layout& layout, const KnotPlan& plan
             ofGroup.push_back(next[groupOfPatch[patch]]++);
         }
     const FreeUnknowns moving(spaces, moves);
-    for (const LinearForm& equation : continuityEquations(layout, plan, spaces, moves)) {
+    for (const LinearForm& equation : continuityEquations(plan, spaces, moves)) {
         LinearForm form = moving.among(equation);
         if (form.unknowns.empty()) continue;
         MovingGroup& group = groups[groupOf[form.unknowns.front()]];

@@ -5,7 +5,6 @@
 #include "bspline/fitting/planes/flat_patches.h"
 #include "bspline/network/border_strip.h"
 #include "bspline/splines/surfaces.h"
-#include "layout/layout.h"
 
 #include <array>
 #include <cstddef>
@@ -29,7 +28,7 @@ struct MovingGroup {
 /// all others stay as they are.
 /// \param flat     by patch: its plane, if it has one
 /// \param patches  with the knots of the plan
-[[nodiscard]] std::vector<MovingGroup> movingGroups(const Layout& layout, const KnotPlan& plan,
+[[nodiscard]] std::vector<MovingGroup> movingGroups(const KnotPlan& plan,
                                                     const std::vector<std::optional<FlatPatch>>& flat,
                                                     const std::vector<Patch>& patches);
 

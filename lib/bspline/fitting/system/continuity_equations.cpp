@@ -4,15 +4,14 @@
 
 namespace qm {
 
-std::vector<LinearForm> continuityEquations(const Layout& layout, const KnotPlan& plan,
-                                            const std::vector<PatchSpace>& spaces,
+std::vector<LinearForm> continuityEquations(const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
                                             const std::vector<bool>& isFree) {
     const auto counts = [&](const Stretch& stretch) {
         return isFree[stretch.sides[0].patch] || isFree[stretch.sides[1].patch];
     };
     const auto strips = [&](const Stretch& stretch) -> StripPair {
         const auto strip = [&](const StretchSide& place) {
-            return BorderStrip(spaces[place.patch], layout.segments[place.patch].size, place);
+            return BorderStrip(spaces[place.patch], plan.sizes()[place.patch], place);
         };
         return {strip(stretch.sides[0]), strip(stretch.sides[1])};
     };

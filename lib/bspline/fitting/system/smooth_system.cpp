@@ -54,7 +54,7 @@ FreeEquations freeEquations(const std::vector<LinearForm>& equations, const Free
 
 } // namespace
 
-SmoothSystem::SmoothSystem(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
+SmoothSystem::SmoothSystem(const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
                            const std::vector<FitLattice>& lattices,
                            const std::vector<std::vector<ThinPlate>>& plates, const std::vector<bool>& isFree,
                            const std::vector<Patch>& patches, unsigned jobs)
@@ -79,7 +79,7 @@ SmoothSystem::SmoothSystem(const Layout& layout, const KnotPlan& plan, const std
         ofPatch = Entries(); // gives the memory back
     }
     const FreeEquations equations =
-        freeEquations(continuityEquations(layout, plan, spaces, isFree), unknowns, spaces, patches);
+        freeEquations(continuityEquations(plan, spaces, isFree), unknowns, spaces, patches);
     unknowns_ = static_cast<Eigen::Index>(unknowns.count());
     system_.emplace(unknowns.count(), std::move(all), equations.forms, equations.constants, jobs);
 }

@@ -6,7 +6,6 @@
 #include "bspline/fitting/lattice/fit_lattice.h"
 #include "bspline/solver/constrained_system.h"
 #include "bspline/splines/surfaces.h"
-#include "layout/layout.h"
 
 #include <optional>
 #include <vector>
@@ -22,7 +21,7 @@ public:
     /// \param plates    by patch and quad
     /// \param isFree    by patch
     /// \param patches   those that are not free stay as they are and have the given spaces
-    SmoothSystem(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
+    SmoothSystem(const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
                  const std::vector<FitLattice>& lattices, const std::vector<std::vector<ThinPlate>>& plates,
                  const std::vector<bool>& isFree, const std::vector<Patch>& patches, unsigned jobs);
 
