@@ -27,16 +27,24 @@ struct Extents {
     Range height;
 };
 
-Extents extentsOf(const BezierPiece& box, const FootFrame& frame, const Eigen::Vector3d& origin) {
+Extents extentsOf(const BezierPiece& box, const FootFrame& frame, const Foot& foot) {
     Extents result;
     for (const Eigen::Vector3d& point : box.points) {
-        const Eigen::Vector3d away = point - origin;
+        const Eigen::Vector3d away = point - foot.position;
         for (std::size_t k = 0; k < 2; ++k)
             result.along[k].include(away.dot(frame.dual[k]));
         result.height.include(away.dot(frame.normal));
     }
     return result;
 }
+
+/// A box of one surface, seen along the normal at a foot on the other.
+struct SeenBox {
+    std::size_t surface; ///< the other
+    const Foot& foot;
+    FootFrame frame;
+    Extents extents;
+};
 
 /// A rectangle of the other surface.
 struct Rectangle {
@@ -45,21 +53,22 @@ struct Rectangle {
 };
 
 /// \return nothing if it has too many pieces for a useful bound
-std::optional<Rectangle> rectangleOver(const ParameterBox& sides, std::size_t surface, const Foot& foot,
-                                       const FootFrame& frame, const Extents& box, BoxPieces& pieces) {
+std::optional<Rectangle> rectangleOver(const SeenBox& box, const ParameterBox& sides, BoxPieces& pieces) {
+    const FootFrame& frame = box.frame;
+    const auto& extents = box.extents.along;
     Rectangle result;
     auto& missing = result.missing;
-    const bool isDone = pieces.visit(surface, foot.place.patch, sides, [&](const BoxPiece& part) {
+    const bool isDone = pieces.visit(box.surface, box.foot.place.patch, sides, [&](const BoxPiece& part) {
         forEachPoint(part.piece, [&](int i, int j, const Eigen::Vector3d& point) {
-            const Eigen::Vector3d away = point - foot.position;
+            const Eigen::Vector3d away = point - box.foot.position;
             result.height.include(away.dot(frame.normal));
             for (std::size_t k = 0; k < 2; ++k) {
                 const int position = k == 0 ? i : j;
                 const double along = away.dot(frame.dual[k]);
                 if (position == 0 && part.isAtEnd[k][0])
-                    missing[k][0] = std::max(missing[k][0], along - box.along[k].low);
+                    missing[k][0] = std::max(missing[k][0], along - extents[k].low);
                 if (position == part.piece.degree[k] && part.isAtEnd[k][1])
-                    missing[k][1] = std::max(missing[k][1], box.along[k].high - along);
+                    missing[k][1] = std::max(missing[k][1], extents[k].high - along);
             }
         });
     });
@@ -80,7 +89,8 @@ double CoveringBound::operator()(const BezierPiece& box, std::size_t surface, co
                                  double known) {
     const auto frame = footFrame(foot);
     if (!frame) return known;
-    const Extents own = extentsOf(box, *frame, foot.position);
+    const SeenBox seen{surface, foot, *frame, extentsOf(box, *frame, foot)};
+    const Extents& own = seen.extents;
     if (own.height.width() >= known) return known;
 
     ParameterBox sides{};
@@ -89,7 +99,7 @@ double CoveringBound::operator()(const BezierPiece& box, std::size_t surface, co
         sides[k] = {foot.place.at[k] + own.along[k].low - more, foot.place.at[k] + own.along[k].high + more};
     }
     for (int attempt = 0; attempt < attempts; ++attempt) {
-        const auto covering = rectangleOver(sides, surface, foot, *frame, own, pieces_);
+        const auto covering = rectangleOver(seen, sides, pieces_);
         if (!covering) break;
         const auto& [height, missing] = *covering;
         const double heights = std::max(own.height.high - height.low, height.high - own.height.low);
