@@ -4,7 +4,7 @@
 #include "bspline/fitting/knots/knot_insertion.h"
 #include "bspline/fitting/lattice/lattice_cells.h"
 #include "bspline/fitting/lattice/lattice_holds.h"
-#include "bspline/fitting/planes/flattening.h"
+#include "bspline/fitting/planes/group_flattening.h"
 #include "bspline/fitting/system/continuity_equations.h"
 #include "bspline/fitting/system/free_patches.h"
 #include "bspline/fitting/system/smooth_system.h"

@@ -1,5 +1,6 @@
 #include "bspline/fitting/planes/group_flattening.h"
 
+#include "base/parallel.h"
 #include "bspline/fitting/planes/min_change.h"
 #include "bspline/splines/eigen_point.h"
 
@@ -181,6 +182,16 @@ private:
 bool flattenGroup(const MovingGroup& group, std::vector<std::optional<FlatPatch>>& flat,
                   std::vector<Patch>& patches) {
     return GroupFlattening(group, flat, patches).run();
+}
+
+bool flatten(const KnotPlan& plan, std::vector<std::optional<FlatPatch>>& flat, std::vector<Patch>& patches,
+             unsigned jobs) {
+    const std::vector<MovingGroup> groups = movingGroups(plan, flat, patches);
+    std::vector<char> hasMoved(groups.size());
+    parallelFor(groups.size(), jobs, [&](std::size_t k) {
+        if (flattenGroup(groups[k], flat, patches)) hasMoved[k] = 1;
+    });
+    return std::ranges::find(hasMoved, 1) != hasMoved.end();
 }
 
 } // namespace qm

@@ -1,6 +1,7 @@
-/// \file Moves the plane patches of one group into their planes.
+/// \file Moves the control points of plane patches into their planes, group by group.
 #pragma once
 
+#include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/planes/flat_patches.h"
 #include "bspline/fitting/planes/moving_groups.h"
 #include "bspline/splines/surfaces.h"
@@ -17,5 +18,12 @@ namespace qm {
 /// \return whether a point was moved; none is if all are where they are wanted, or if it is impossible
 [[nodiscard]] bool flattenGroup(const MovingGroup& group, std::vector<std::optional<FlatPatch>>& flat,
                                 std::vector<Patch>& patches);
+
+/// Moves all control points of the plane patches into their planes, and changes the patches around them as
+/// little as the continuity equations require (docs/METHOD.md#plane-patches): the same for all groups.
+/// \param jobs  threads; the result does not depend on their number
+/// \return whether a point was moved
+bool flatten(const KnotPlan& plan, std::vector<std::optional<FlatPatch>>& flat, std::vector<Patch>& patches,
+             unsigned jobs);
 
 } // namespace qm
