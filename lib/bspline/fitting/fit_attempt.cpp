@@ -65,30 +65,37 @@ struct Rounds {
 
 bool isAstrayFrom(const Fitted& before, const Fitted& found) {
     const auto points = [](const Fitted& fitted) {
-        return static_cast<double>(controlPointCount(fitted.patches));
+        return static_cast<double>(controlPointCount(fitted.round.patches));
     };
     return found.farthest() > Astray::distance * before.farthest() ||
            (points(found) > Astray::points * points(before) &&
             found.farthest() > Astray::gain * before.farthest());
 }
 
+std::vector<bool> softPatches(const FitProblem& problem, const std::optional<Restart>& restart) {
+    return restart ? restart->isSoft : std::vector<bool>(problem.layout.segments.size());
+}
+
 class FitAttempt {
 public:
-    FitAttempt(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
-               unsigned jobs)
+    FitAttempt(const FitProblem& problem, const SmoothFitOptions& options,
+               const std::optional<Restart>& restart, unsigned jobs)
         : problem_(problem), options_(options),
           planes_(flatPatches(problem.layout, problem.reference.grids, problem.network, options.flatness)),
-          state_(problem, options, isSoft, jobs) {}
+          state_(problem, options, softPatches(problem, restart), jobs), restart_(restart) {}
 
     Fitted run(bool isLast, const Control& control) {
-        // More slides while there are few knots.
-        state_.solveFirst(2 * options_.slides, control.stopRequested);
+        const int slides = 2 * options_.slides; // more while there are few knots, or patches begin anew
+        if (restart_)
+            state_.beginFrom(restart_->from, restart_->isSoft, slides);
+        else
+            state_.solveFirst(slides, control.stopRequested);
         search(options_.maxRounds, options_.removesKnots ? Saving::tried : Saving::none, control);
         Fitted nearest;
         for (int k = 1;; ++k) {
             chooseBest();
             if (hasPlanes()) flattenWhereKept(problem_.verify, options_.slides, planes_, state_, best_);
-            Fitted found{best_.patches, best_.distances, followsNoise()};
+            Fitted found{best_, followsNoise()};
             const bool isAstray = !isLast && k > 1 && isAstrayFrom(nearest, found);
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
             if (isAstray || nearest.isHopeless() || k == options_.verifications || control.stopRequested())
@@ -236,6 +243,7 @@ private:
     const SmoothFitOptions& options_;
     std::vector<std::optional<FlatPatch>> planes_; ///< by patch; those out of reach are dropped
     FitState state_;
+    const std::optional<Restart>& restart_;
     int flattenings_ = 0;   ///< that broke the tolerance
     int rounds_ = 0;        ///< in all searches together
     double firstWorst_ = 0; ///< of the first round of all
@@ -248,16 +256,16 @@ private:
 } // namespace
 
 double Fitted::farthest() const {
-    return std::ranges::max(distances);
+    return std::ranges::max(round.distances);
 }
 
 bool Fitted::isHopeless() const {
     return followsNoise || farthest() > Hopeless::distance;
 }
 
-Fitted attemptFit(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
-                  bool isLast, const Control& control) {
-    return FitAttempt(problem, options, isSoft, control.jobs).run(isLast, control);
+Fitted attemptFit(const FitProblem& problem, const SmoothFitOptions& options,
+                  const std::optional<Restart>& restart, bool isLast, const Control& control) {
+    return FitAttempt(problem, options, restart, control.jobs).run(isLast, control);
 }
 
 } // namespace qm

@@ -4,16 +4,16 @@
 #include "base/control.h"
 #include "bspline/fitting/fit_options.h"
 #include "bspline/fitting/fit_problem.h"
-#include "bspline/splines/surfaces.h"
+#include "bspline/fitting/fit_round.h"
 
+#include <optional>
 #include <vector>
 
 namespace qm {
 
 struct Fitted {
-    std::vector<Patch> patches;
-    std::vector<double> distances; ///< by patch, in tolerances, verified
-    bool followsNoise = false;     ///< took very many control points, which hardly brought it nearer
+    FitRound round;            ///< with verified distances
+    bool followsNoise = false; ///< took very many control points, which hardly brought it nearer
 
     [[nodiscard]] double farthest() const;
     /// Whether neither mending nor another attempt will bring the fit within the tolerance: it is far away,
@@ -21,12 +21,19 @@ struct Fitted {
     [[nodiscard]] bool isHopeless() const;
 };
 
+/// What an attempt begins with instead of the fewest knots.
+struct Restart {
+    const FitRound& from;
+    std::vector<bool> isSoft; ///< by patch: begins anew, and follows the reference more closely at the cost
+                              ///< of fairness
+};
+
 /// Fits until the tolerance is kept with as few knots as possible, verifies the result, and mends what the
 /// verification finds, at most `options.verifications` times.
-/// \param isSoft  by patch: whether it follows the reference more closely at the cost of fairness
-/// \param isLast  whether no other attempt follows, so that even mending that leads astray is tried
+/// \param restart  none for the first attempt
+/// \param isLast   whether no other attempt follows, so that even mending that leads astray is tried
 /// \return the result that was verified as the nearest
 [[nodiscard]] Fitted attemptFit(const FitProblem& problem, const SmoothFitOptions& options,
-                                const std::vector<bool>& isSoft, bool isLast, const Control& control);
+                                const std::optional<Restart>& restart, bool isLast, const Control& control);
 
 } // namespace qm

@@ -19,7 +19,7 @@ struct SmoothFitOptions {
     double worthAll = 0.6;    ///< if more than this share of the control points is free, all are solved for
     bool removesKnots = true; ///< tries to do with fewer knots once the tolerance is kept
     int verifications = 5;    ///< largest number of verifications per attempt
-    bool restarts = true;     ///< attempts it anew, at most twice, while a verification fails
+    bool restarts = true;     ///< begins anew where a verification fails, at most three times
 };
 
 } // namespace qm

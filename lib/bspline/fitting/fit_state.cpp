@@ -120,6 +120,17 @@ void FitState::beginAnew(int slides) {
     if (!begin(freeAround([](const PatchErrors& errors) { return errors.anyFolded(); }))) begin(everywhere());
 }
 
+void FitState::beginFrom(const FitRound& round, const std::vector<bool>& isSoft, int slides) {
+    restore(round);
+    for (std::size_t k = 0; k < count(); ++k) {
+        if (!isSoft[k]) continue;
+        changing(k) = makeLattice(setup_.sources[k], setup_.parametersOf(k, spaces_[k].knots));
+        givenUp_[k] = {};
+        reweighed_[k] = true;
+    }
+    solveChanged(slides);
+}
+
 void FitState::solveChanged(int slides) {
     const std::vector<bool> isFree = freeAround([](const PatchErrors& errors) { return errors.max() > 1; });
     if (!solveFor(isFree, slides)) solveFor(everywhere(), slides);

@@ -22,7 +22,7 @@ namespace qm {
 /// The steps of a fit. Errors are in tolerances: values above 1 are too large.
 class FitState {
 public:
-    /// Without knots and patches; `solveFirst` comes first. The arguments must outlive it.
+    /// Without knots and patches; `solveFirst` or `beginFrom` comes first. The arguments must outlive it.
     /// \param isSoft  by patch: whether it follows the reference more closely at the cost of fairness
     FitState(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
              unsigned jobs);
@@ -32,6 +32,9 @@ public:
     /// \param slides           number of times that the targets slide in between
     /// \param isStopRequested  patches that fold remain folded once it returns true
     void solveFirst(int slides, const std::function<bool()>& isStopRequested);
+    /// Goes on from a round of another fit, but draws soft patches to the reference without what was learnt
+    /// of them, and solves for these.
+    void beginFrom(const FitRound& round, const std::vector<bool>& isSoft, int slides);
     /// Solves for the patches that have changed and those around them, or for all if that is impossible.
     void solveChanged(int slides);
 

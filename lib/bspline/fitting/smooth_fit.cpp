@@ -3,7 +3,6 @@
 #include "bspline/fitting/fit_attempt.h"
 #include "bspline/fitting/system/free_patches.h"
 
-#include <cstddef>
 #include <utility>
 
 namespace qm {
@@ -18,7 +17,7 @@ bool isNear(const Fitted& fitted) {
 /// The patches that miss the tolerance, with so many rings of patches around them.
 std::vector<bool> missing(const Fitted& fitted, const FitProblem& problem, int rings) {
     std::vector<bool> misses;
-    for (const double distance : fitted.distances)
+    for (const double distance : fitted.round.distances)
         misses.push_back(distance > 1);
     return withNeighbours(problem.network.stretches, std::move(misses), rings);
 }
@@ -28,21 +27,20 @@ std::vector<bool> missing(const Fitted& fitted, const FitProblem& problem, int r
 std::vector<Patch> fitSmooth(const FitProblem& problem, const SmoothFitOptions& options,
                              const Control& control) {
     if (problem.layout.segments.empty()) return {};
-    const std::size_t patches = problem.layout.segments.size();
-    Fitted nearest =
-        attemptFit(problem, options, std::vector<bool>(patches, false), !options.restarts, control);
+    Fitted nearest = attemptFit(problem, options, {}, !options.restarts, control);
     // Stiff patches are fair, but where quads fold or are much narrower than their neighbours they can
     // prevent everything around from following the reference, and so can sliding.
-    for (const bool isLast : {false, true}) {
+    SmoothFitOptions closer = options;
+    closer.slack = 0;
+    closer.slides = options.slides / 2;
+    constexpr int maxRings = 3;
+    for (int rings = 1; rings <= maxRings; ++rings, closer.slides = 1) {
         if (!options.restarts || isNear(nearest) || nearest.isHopeless() || control.stopRequested()) break;
-        SmoothFitOptions closer = options;
-        closer.slack = 0;
-        closer.slides = isLast ? 1 : options.slides / 2;
-        const auto isSoft = missing(nearest, problem, isLast ? 3 : 1);
-        Fitted fitted = attemptFit(problem, closer, isSoft, isLast, unreported(control));
+        const Restart restart{nearest.round, missing(nearest, problem, rings)};
+        Fitted fitted = attemptFit(problem, closer, restart, rings == maxRings, unreported(control));
         if (fitted.farthest() < nearest.farthest()) nearest = std::move(fitted);
     }
-    return std::move(nearest.patches);
+    return std::move(nearest.round.patches);
 }
 
 } // namespace qm
