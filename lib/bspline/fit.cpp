@@ -29,18 +29,20 @@ void requireValid(const FitOptions& options) {
     if (!(options.rho >= 0)) throw Error("rho", "must not be negative", "Give an angle in radians");
 }
 
+/// Meshes of more faces are large.
+constexpr std::size_t manyFaces = 30'000;
+
 /// How finely meshes are sampled, and how long their fit may take. Large ones are sampled less finely, as
 /// their edges are short, and are fitted in time linear in their size. There are four lattice steps between
 /// any two knots whatever the mesh.
 SmoothFitOptions effortFor(const QuadMesh& mesh) {
     constexpr std::size_t several = 8'000;
-    constexpr std::size_t many = 30'000;
     SmoothFitOptions options;
     if (mesh.n_faces() > several) {
         options.steps = 2;
         options.unfoldings = 3;
     }
-    if (mesh.n_faces() <= many) return options;
+    if (mesh.n_faces() <= manyFaces) return options;
     const bool areVeryMany = mesh.n_faces() > veryManyFaces;
     if (areVeryMany) options.steps = 1;
     options.minInterval = 2; // with edges as short, knots between would follow nothing but errors of the fit
@@ -51,8 +53,7 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     options.roundsOfMending = 4;
     options.slides = areVeryMany ? 2 : 3;
     options.verifications = 4;
-    options.restarts = false;
-    options.slack = 0; // nothing would begin anew where it leads astray
+    options.slack = 0; // lest it lead astray
     options.ringsAround = 1;
     options.worthAll = 0.8;
     options.removesKnots = false;
@@ -69,6 +70,7 @@ SmoothFitOptions withPatience(SmoothFitOptions effort) {
     effort.maxRounds = patient.maxRounds;
     effort.maxIdle = patient.maxIdle;
     effort.slides = patient.slides;
+    effort.restarts = false; // they have not helped
     return effort;
 }
 
@@ -104,7 +106,7 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
     if (reference.target.noise > 0 && effort.slack > 0) effort.slack = slackInNoise;
     effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
     const QuadMesh& upright = reference.meshOf(mesh);
-    if (effort.restarts)
+    if (mesh.n_faces() <= manyFaces)
         return fitCentred({upright, layout, reference.network, reference.target, verify}, effort, control);
 
     double nearest = infinity; // of what was verified, in tolerances
