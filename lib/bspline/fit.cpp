@@ -5,6 +5,7 @@
 #include "base/infinity.h"
 #include "base/number_text.h"
 #include "bspline/fitting/centred_fit.h"
+#include "bspline/measure/max_deviations.h"
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
 #include "bspline/network/crease_paths.h"
@@ -95,8 +96,9 @@ double certifiable(double allowed) {
 std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, const FitReference& reference,
                                  double allowed, const Control& control) {
     const double limit = certifiable(allowed);
+    MaxDeviations maxDeviations(mesh, layout, reference.target.grids, limit, control.jobs);
     const Verification verify = [&](const std::vector<Patch>& patches) {
-        auto found = maxDeviations({mesh, layout, patches, reference.target.grids}, limit, control.jobs);
+        std::vector<double> found = maxDeviations(patches);
         for (double& distance : found)
             distance /= limit;
         return found;

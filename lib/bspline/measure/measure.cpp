@@ -192,15 +192,4 @@ Measurement measureSurfaces(const MeasuredSurfaces& surfaces, const std::vector<
     return meter.finish();
 }
 
-std::vector<double> maxDeviations(const MeasuredSurfaces& surfaces, double limit, unsigned jobs) {
-    const std::vector<BorderEdge> borders = borderEdges(surfaces.mesh, surfaces.layout);
-    const PairedSurfaces pairs(surfaces.layout, surfaces.patches, surfaces.references, borders, jobs);
-    constexpr double closing = 0.05; // a rough bound will do above the limit
-    std::vector<double> result(surfaces.patches.size());
-    parallelFor(result.size(), jobs, [&](std::size_t k) {
-        result[k] = certifiedDeviation(pairs, k, {.closing = closing, .negligible = limit}).upper;
-    });
-    return result;
-}
-
 } // namespace qm

@@ -43,8 +43,4 @@ struct Measurement {
 [[nodiscard]] Measurement measureSurfaces(const MeasuredSurfaces& surfaces, const std::vector<bool>& isSmooth,
                                           double negligible, unsigned jobs);
 
-/// By patch: an upper bound of its distance from its reference, close where it is above a limit.
-[[nodiscard]] std::vector<double> maxDeviations(const MeasuredSurfaces& surfaces, double limit,
-                                                unsigned jobs);
-
 } // namespace qm

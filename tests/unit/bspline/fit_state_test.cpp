@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -68,6 +69,41 @@ protected:
     FitProblem problem{mesh, layout, network, reference, verify};
     SmoothFitOptions options;
 };
+
+TEST(FitState, BeginsAnewFromARoundWithoutChangingWhatIsFarAway) {
+    constexpr std::size_t count = 160; // or all are solved for
+    std::vector<test::Rectangle> strips;
+    for (int k = 0; k < static_cast<int>(count); ++k)
+        strips.push_back({2 * k, 0, 2 * k + 2, 6});
+    const test::Grid sheet{2 * static_cast<int>(count), 6, [](double i, double j) {
+                               return Point(i, j, 0.3 * std::sin(0.8 * i) * std::cos(0.5 * j));
+                           }};
+    const QuadMesh mesh = test::makeMesh(sheet);
+    const Layout layout = test::makeLayout(sheet, strips);
+    const SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles(mesh), 3);
+    const FitTarget target{limitSurface(mesh, layout, network.sharpness(), 4, 1)};
+    const Verification verify;
+    const FitProblem problem{mesh, layout, network, target, verify};
+    SmoothFitOptions options;
+    options.tolerance = 0.02;
+    FitState first(problem, options, std::vector<bool>(count), 1);
+    first.solveFirst(2, [] { return false; });
+    while (first.worst() > 1 && first.refine())
+        first.solveChanged(2);
+    const FitRound round = first.round();
+    ASSERT_LE(first.worst(), 1);
+
+    std::vector<bool> isSoft(count);
+    isSoft[0] = true;
+    FitState second(problem, options, isSoft, 1);
+    second.beginFrom(round, isSoft, 2);
+    const std::vector<Patch> patches = second.round().patches;
+    EXPECT_NE(patches[0].controlPoints, round.patches[0].controlPoints);
+    EXPECT_EQ(patches[0].knots, round.patches[0].knots);
+    for (std::size_t k = count * 3 / 4; k < count; ++k)
+        EXPECT_EQ(patches[k].controlPoints, round.patches[k].controlPoints) << k;
+    EXPECT_LT(second.worst(), 1.2);
+}
 
 TEST_F(WavedFit, PutsBackTheKnotsThatTurnOutToBeNeeded) {
     using enum FitState::Where;
