@@ -34,8 +34,8 @@ constexpr double straightTurn = 0.1745;
 /// Whether all corners turn to the left, and none lies in the middle of a side.
 [[nodiscard]] bool isConvex(const std::vector<PlanarPoint>& corners);
 
-/// Whether it is also seen from the mean of its corners under less than half a turn what lies between the
-/// middles of two successive sides.
+/// Whether it is convex and can be divided into quads around the mean of its corners: from there, the middles
+/// of two successive sides are always less than half a turn apart.
 [[nodiscard]] bool isSeenFromItsMiddle(const std::vector<PlanarPoint>& corners);
 
 } // namespace qm

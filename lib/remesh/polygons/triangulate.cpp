@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Combs take a quarter of the cube of their corners.
+/// Combs take time proportional to the cube of their corners.
 constexpr std::size_t maxCorners = 1000;
 
 /// Cuts ears off a polygon, those with the largest smallest angle first.
