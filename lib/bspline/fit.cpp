@@ -63,7 +63,7 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
 
 /// A fit of a large mesh that is farther off than this, in tolerances, is made once more with the patience
 /// that small ones get: few meshes need it, such as plates around holes.
-constexpr double farOff = 2;
+constexpr double farOff = 1.2;
 
 SmoothFitOptions withPatience(SmoothFitOptions effort) {
     const SmoothFitOptions patient;

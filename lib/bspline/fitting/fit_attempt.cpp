@@ -43,6 +43,13 @@ struct Astray {
     static constexpr double gain = 0.8; ///< share of the distance that is left
 };
 
+/// If a verification finds it farther away than this, in tolerances, and hardly nearer than the previous one
+/// did, the attempt ends, and be it the last one.
+struct Stuck {
+    static constexpr double distance = 1.2;
+    static constexpr double gain = 0.95; ///< share of the distance that is left
+};
+
 /// A fit that is so many tolerances away will not come within one. It is not verified again and not attempted
 /// anew, and its search ends if this many rounds together do not halve the distance. Nor will a fit for which
 /// so many times the control points of its first round do not halve it: it follows noise.
@@ -72,6 +79,10 @@ bool isAstrayFrom(const Fitted& before, const Fitted& found) {
             found.farthest() > Astray::gain * before.farthest());
 }
 
+bool isStuckAt(const Fitted& before, const Fitted& found) {
+    return found.farthest() > std::max(Stuck::distance, Stuck::gain * before.farthest());
+}
+
 std::vector<bool> softPatches(const FitProblem& problem, const std::optional<Restart>& restart) {
     return restart ? restart->isSoft : std::vector<bool>(problem.layout.segments.size());
 }
@@ -96,9 +107,10 @@ public:
             chooseBest();
             if (hasPlanes()) flattenWhereKept(problem_.verify, options_.slides, planes_, state_, best_);
             Fitted found{best_, followsNoise()};
-            const bool isAstray = !isLast && k > 1 && isAstrayFrom(nearest, found);
+            const bool ends =
+                k > 1 && (isStuckAt(nearest, found) || (!isLast && isAstrayFrom(nearest, found)));
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
-            if (isAstray || nearest.isHopeless() || k == options_.verifications || control.stopRequested())
+            if (ends || nearest.isHopeless() || k == options_.verifications || control.stopRequested())
                 return nearest;
             state_.restore(best_);
             if (!state_.tighten(best_)) return nearest;
