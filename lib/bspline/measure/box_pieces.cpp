@@ -109,8 +109,7 @@ BoxPiece BoxPieces::take(std::size_t surface, const BoxPart& part, const Cells& 
         width[k] = (to - from) * std::max(end[k] - begin[k], minWidth);
         isOuter[k] = {interval[k] == cells.first[k], interval[k] == cells.last[k]};
     }
-    surfaces_.get(surface, cell, cell_);
-    restrict(cell_, begin, end, restricted_);
+    restrict(cell_(surface, cell), begin, end, restricted_);
     if (part.turns == 0) {
         std::swap(piece_, restricted_);
     } else {

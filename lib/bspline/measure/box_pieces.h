@@ -41,7 +41,7 @@ using BoxParts = boost::container::static_vector<BoxPart, 3>;
 /// Reuses its memory, so every thread needs its own.
 class BoxPieces {
 public:
-    explicit BoxPieces(const PairedSurfaces& surfaces) : surfaces_(surfaces) {}
+    explicit BoxPieces(const PairedSurfaces& surfaces) : surfaces_(surfaces), cell_(surfaces) {}
 
     /// \param box       divided by `boxParts`
     /// \param function  called with every `BoxPiece`
@@ -79,7 +79,7 @@ private:
                                 const std::array<std::size_t, 2>& interval);
 
     const PairedSurfaces& surfaces_;
-    BezierPiece cell_;
+    LastPiece cell_;
     BezierPiece restricted_;
     BezierPiece piece_;
 };

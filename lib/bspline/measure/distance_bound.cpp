@@ -97,8 +97,7 @@ double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const 
 }
 
 DistanceBound::BoxMiddle DistanceBound::takeOwn(const SurfacePart& part) {
-    surfaces_.get(part.surface, part.cell, cell_);
-    restrict(cell_, part.from, part.to, own_);
+    restrict(ownCell_(part.surface, part.cell), part.from, part.to, own_);
     BoxMiddle result{evaluate(own_, 0.5, 0.5), {}};
     for (std::size_t k = 0; k < 2; ++k) {
         const auto [from, to] = surfaces_.range(part.cell, k);
@@ -141,8 +140,7 @@ ParameterBox DistanceBound::pairWithOther(const BoxMiddle& own, SurfacePart& par
             std::lerp(part.from[ownAxis], part.to[ownAxis],
                       0.5 + way[ownAxis] * division((from - at) / reach, (to - at) / reach));
     }
-    surfaces_.get(1 - part.surface, target, cell_);
-    restrict(cell_, begin, end, difference_);
+    restrict(otherCell_(1 - part.surface, target), begin, end, difference_);
     subtractFrom(own_, foot.turns, difference_);
     return box;
 }

@@ -37,7 +37,8 @@ struct SurfacePart {
 class DistanceBound {
 public:
     explicit DistanceBound(const PairedSurfaces& surfaces)
-        : surfaces_(surfaces), search_(surfaces), covering_(surfaces), pieces_(surfaces) {}
+        : surfaces_(surfaces), search_(surfaces), covering_(surfaces), pieces_(surfaces), ownCell_(surfaces),
+          otherCell_(surfaces) {}
 
     /// Finds the foot, starting from that of `part`, and lowers the upper bound if possible.
     /// \param surprising  a foot farther away than this is searched again from the same parameters
@@ -69,7 +70,8 @@ private:
     FootSearch search_;
     CoveringBound covering_;
     BoxPieces pieces_;
-    BezierPiece cell_;
+    LastPiece ownCell_;
+    LastPiece otherCell_;
     BezierPiece own_;
     BezierPiece difference_; ///< with the directions of the other surface's parameters
 };

@@ -132,11 +132,6 @@ struct Walk {
 
 PiecePoint FootSearch::evaluateAt(std::size_t surface, const LayoutPlace& place) {
     const Cell cell = surfaces_.cellAt(place);
-    if (cell.patch != cell_.patch || cell.interval != cell_.interval || surface != surface_) {
-        surfaces_.get(surface, cell, piece_);
-        cell_ = cell;
-        surface_ = surface;
-    }
     Parameters local{};
     Parameters width{};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -144,7 +139,7 @@ PiecePoint FootSearch::evaluateAt(std::size_t surface, const LayoutPlace& place)
         width[k] = to - from;
         local[k] = (place.at[k] - from) / width[k];
     }
-    PiecePoint here = evaluate(piece_, local[0], local[1]);
+    PiecePoint here = evaluate(piece_(surface, cell), local[0], local[1]);
     here.du /= width[0];
     here.dv /= width[1];
     return here;

@@ -23,7 +23,7 @@ struct Foot {
 /// that it used last, so every thread needs its own.
 class FootSearch {
 public:
-    explicit FootSearch(const PairedSurfaces& surfaces) : surfaces_(surfaces) {}
+    explicit FootSearch(const PairedSurfaces& surfaces) : surfaces_(surfaces), piece_(surfaces) {}
 
     /// Finds a nearest place; if that is only a local minimum, the distance is too large.
     [[nodiscard]] Foot operator()(std::size_t surface, const LayoutPlace& start,
@@ -39,9 +39,7 @@ private:
                             int& crossings);
 
     const PairedSurfaces& surfaces_;
-    BezierPiece piece_;
-    Cell cell_{static_cast<std::size_t>(-1), {}};
-    std::size_t surface_ = 0;
+    LastPiece piece_;
 };
 
 } // namespace qm

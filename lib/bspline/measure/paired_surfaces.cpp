@@ -108,6 +108,13 @@ std::optional<PairedSurfaces::Crossing> PairedSurfaces::across(const LayoutPlace
                     gapless};
 }
 
+const BezierPiece& LastPiece::operator()(std::size_t surface, const Cell& cell) {
+    if (surface_ != surface || cell_ != cell) surfaces_.get(surface, cell, piece_);
+    surface_ = surface;
+    cell_ = cell;
+    return piece_;
+}
+
 std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters) {
     switch (quarters) {
     case 0:
@@ -119,13 +126,6 @@ std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters) 
     default:
         return {vector[1], -vector[0]};
     }
-}
-
-std::array<int, 2> turnedIndex(const std::array<int, 2>& index, int degree, int quarters) {
-    const auto [i, j] = index;
-    const std::array<std::array<int, 2>, 4> places{
-        {{i, j}, {degree - j, i}, {degree - i, degree - j}, {j, degree - i}}};
-    return places[at(quarters)];
 }
 
 } // namespace qm

@@ -18,6 +18,8 @@ namespace qm {
 struct Cell {
     std::size_t patch = 0;
     std::array<std::size_t, 2> interval{};
+
+    friend bool operator==(const Cell&, const Cell&) = default;
 };
 
 /// The fitted surfaces, number 0, and their reference, number 1, over the same patches.
@@ -63,9 +65,36 @@ private:
     std::vector<std::array<std::vector<Beyond>, 4>> beyond_; ///< by patch, side and position
 };
 
+/// The polynomial over the cell that was asked for last: searches often stay in one.
+class LastPiece {
+public:
+    explicit LastPiece(const PairedSurfaces& surfaces) : surfaces_(surfaces) {}
+
+    const BezierPiece& operator()(std::size_t surface, const Cell& cell);
+
+private:
+    const PairedSurfaces& surfaces_;
+    std::optional<std::size_t> surface_;
+    Cell cell_;
+    BezierPiece piece_;
+};
+
 /// A vector of parameters after a number of counter-clockwise quarter turns.
 [[nodiscard]] std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters);
 /// The column and row that control points of a square net have after so many quarter turns about its middle.
-[[nodiscard]] std::array<int, 2> turnedIndex(const std::array<int, 2>& index, int degree, int quarters);
+[[nodiscard]] constexpr std::array<int, 2> turnedIndex(const std::array<int, 2>& index, int degree,
+                                                       int quarters) {
+    const auto [i, j] = index;
+    switch (quarters) {
+    case 0:
+        return {i, j};
+    case 1:
+        return {degree - j, i};
+    case 2:
+        return {degree - i, degree - j};
+    default:
+        return {j, degree - i};
+    }
+}
 
 } // namespace qm
