@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/infinity.h"
+#include "bspline/fitting/first_solution.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/fit_state.h"
 #include "bspline/fitting/planes/flat_patches.h"
@@ -64,7 +65,7 @@ struct Rounds {
     int idle = 0;                    ///< how many have passed since one was kept
     int halved = 0;                  ///< the last one in which the largest distance had become half as large
     double distance = infinity;      ///< the largest distance in that round
-    double excess = infinity;        ///< of the last round, see `FitState::excess`
+    double excess = infinity;        ///< of the last round, see `FitErrors::excess`
     int removals = 0;                ///< how often knots were removed
     int repairs = 0;                 ///< rounds since the last removal
     double controlPoints = infinity; ///< their number before the last removal
@@ -100,7 +101,7 @@ public:
         if (restart_)
             state_.beginFrom(restart_->from, restart_->isSoft, slides);
         else
-            state_.solveFirst(slides, control.stopRequested);
+            solveFirst(state_, slides, control.stopRequested);
         search(options_.maxRounds, options_.removesKnots ? Saving::tried : Saving::none, control);
         Fitted nearest;
         for (int k = 1;; ++k) {
@@ -135,7 +136,7 @@ private:
             past.idle = keepIfBest() ? 0 : past.idle + (hasBroken ? 0 : 1);
             if (past.idle == options_.maxIdle || control.stopRequested() || isInVain(round, past)) break;
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
-            if (state_.worst() <= 1) {
+            if (state_.errors().worst() <= 1) {
                 const bool leavesRepairs = round + maxRepairs <= maxRounds;
                 if (saving == Saving::none || !leavesRepairs || !removeKnots(past)) break;
             } else if (!best_.score.keeps) {
@@ -148,13 +149,14 @@ private:
 
     /// Whether the search will not come within the tolerance, or follows noise.
     bool isInVain(int round, Rounds& past) {
-        if (2 * state_.worst() <= past.distance) {
-            past.distance = state_.worst();
+        if (2 * state_.errors().worst() <= past.distance) {
+            past.distance = state_.errors().worst();
             past.halved = round;
         }
-        if (state_.worst() > Hopeless::distance && round - past.halved >= Hopeless::rounds) return true;
+        if (state_.errors().worst() > Hopeless::distance && round - past.halved >= Hopeless::rounds)
+            return true;
         if (rounds_ == 0) {
-            firstWorst_ = state_.worst();
+            firstWorst_ = state_.errors().worst();
             firstPoints_ = state_.score().controlPoints;
         }
         return followsNoise();
@@ -187,14 +189,16 @@ private:
         const bool isWeighed = state_.weighWhatIsMissed();
         const bool isRefined = state_.refine();
         // Without more knots to insert, weights may still help.
-        const bool gains = state_.excess() < worthwhileGain * std::exchange(past.excess, state_.excess());
+        const bool gains =
+            state_.errors().excess() < worthwhileGain * std::exchange(past.excess, state_.errors().excess());
         if (!isRefined && !(isWeighed && gains) && !tryHarder()) state_.giveUp();
     }
 
     /// Whether very many control points have not brought it much nearer than it was in its first round.
     [[nodiscard]] bool followsNoise() const {
         const auto points = static_cast<double>(state_.score().controlPoints);
-        return !best_.score.keeps && state_.worst() > 1 && 2 * state_.worst() > firstWorst_ &&
+        return !best_.score.keeps && state_.errors().worst() > 1 &&
+               2 * state_.errors().worst() > firstWorst_ &&
                points > Hopeless::growth * static_cast<double>(firstPoints_);
     }
 
@@ -202,7 +206,7 @@ private:
     /// spikes.
     /// \return false if all has been done
     bool tryHarder() {
-        if (state_.isFolded()) return state_.stopSliding() || state_.allow(MinInterval::eighth);
+        if (state_.errors().isAnyFolded()) return state_.stopSliding() || state_.allow(MinInterval::eighth);
         return state_.allow(MinInterval::eighth) || state_.stopSliding() ||
                state_.allow(MinInterval::thirtySecond);
     }
@@ -211,12 +215,12 @@ private:
     /// is refined as well. Some planes cannot be reached within the tolerance.
     /// \return whether only the planes break the tolerance, and it has not been kept with planes before
     bool flattenIfKept() {
-        if (!hasPlanes() || flattenings_ == Flattenings::max || state_.worst() > 1) return false;
+        if (!hasPlanes() || flattenings_ == Flattenings::max || state_.errors().worst() > 1) return false;
         if (!best_.score.keeps) unflattened_ = state_.round();
         state_.flatten(planes_, options_.slides);
-        if (state_.worst() <= 1 || best_.score.keeps) return false;
+        if (state_.errors().worst() <= 1 || best_.score.keeps) return false;
         if (++flattenings_ >= Flattenings::patience)
-            dropPlanes(problem_.network.stretches, state_.missingPatches(), planes_);
+            dropPlanes(problem_.network.stretches, state_.errors().areMissed(), planes_);
         return true;
     }
 

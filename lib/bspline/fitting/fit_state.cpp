@@ -16,39 +16,18 @@
 namespace qm {
 namespace {
 
-/// What is done about folds of the first fit.
-struct Unfolding {
-    /// Where patches fold, the distances of the first knots are reduced to this share, up to so many times;
-    /// after that, knots are inserted where they fold.
-    static constexpr double closer = 0.3;
-    static constexpr int maxTimes = 3;
-    /// Folds of a reference that is nothing but noise take ever more knots: control points grow up to so many
-    /// times those of the first solution, and so many per quad in addition.
-    static constexpr std::size_t maxGrowth = 8;
-    static constexpr std::size_t maxPerQuad = 4;
-};
-
 /// The weight of a point grows by `growth` per round, up to `max`.
 struct Emphasis {
     static constexpr double growth = 3;
     static constexpr double max = 100;
 };
 
-/// By patch: whether its errors are of some kind.
-template <class OfKind>
-std::vector<bool> marked(const std::vector<PatchErrors>& errors, const OfKind& isOfKind) {
-    std::vector<bool> marks(errors.size());
-    std::transform(errors.begin(), errors.end(), marks.begin(), isOfKind);
-    return marks;
-}
-
 } // namespace
 
 FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
                    const std::vector<bool>& isSoft, unsigned jobs)
     : setup_(problem, options, isSoft, jobs), plan_(setup_.planWithoutKnots), lattices_(count()),
-      kept_(count()), errors_(count()), givenUp_(count()), reweighed_(count()), missed_(count()),
-      scale_(count(), 1) {}
+      kept_(count()), errors_(count(), options.tolerance), reweighed_(count()) {}
 
 /// Marks the patches whose knots, weights or tangent ratios have changed since the last solution.
 std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before) const {
@@ -62,54 +41,19 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
     return changed;
 }
 
-/// Whether the present patches have a plan's knots and tangent ratios.
 bool FitState::isSolvedWith(const KnotPlan& plan) const {
     const std::vector<PatchSpace> spaces = plan.spaces();
     return std::ranges::equal(spaces, spaces_, {}, &PatchSpace::knots, &PatchSpace::knots) &&
            std::ranges::equal(plan.runs(), solvedRuns_, {}, &SmoothRun::ratio, &SmoothRun::ratio);
 }
 
-void FitState::solveFirst(int slides, const std::function<bool()>& isStopRequested) {
-    std::vector<double> share(count(), 1);
-    lattices_ = setup_.evenLattices();
-    plan_ = setup_.firstKnots(lattices_, share);
+void FitState::begin(KnotPlan plan, std::vector<FitLattice> lattices, int slides) {
+    takeKnots(std::move(plan));
+    lattices_ = std::move(lattices);
     spaces_ = plan_.spaces();
     solveFor(everywhere(), slides);
-    std::size_t quads = 0;
-    for (const Segment& segment : setup_.layout.segments)
-        quads += segment.faces.size();
-    const std::size_t maxControlPoints =
-        Unfolding::maxGrowth * controlPointCount(patches_) + Unfolding::maxPerQuad * quads;
-    std::vector<bool> begunFor; // those that were folded when patches began anew with the knots they had
-    for (int times = 0; times < setup_.options.unfoldings && isFolded(); ++times) {
-        if (controlPointCount(patches_) > maxControlPoints) break;
-        std::optional<KnotPlan> plan;
-        if (times < Unfolding::maxTimes) {
-            const std::vector<bool> folded = foldedPatches();
-            for (std::size_t k = 0; k < share.size(); ++k)
-                if (folded[k]) share[k] *= Unfolding::closer;
-            plan = setup_.firstKnots(setup_.evenLattices(), share);
-            const bool hasSameKnots = isSolvedWith(*plan);
-            if (hasSameKnots && folded == begunFor) continue; // they would fold in the same way
-            begunFor = hasSameKnots ? folded : std::vector<bool>{};
-        }
-        if (isStopRequested()) return;
-        if (plan)
-            plan_ = std::move(*plan);
-        else if (!refine() && !(allowShorter() && refine()))
-            break;
-        beginAnew(slides);
-    }
-    if (setup_.options.unfoldings == 0 || !isFolded() || isStopRequested()) return;
-    // Something else makes them fold.
-    for (std::size_t k = 0; k < share.size(); ++k)
-        if (errors_[k].anyFolded()) share[k] = 1;
-    plan_ = setup_.firstKnots(setup_.evenLattices(), share);
-    beginAnew(slides);
 }
 
-/// Draws the folded patches, those whose knots have changed, and those around them to the reference, without
-/// what was learnt before, and solves for them, or does so with all if that is impossible.
 void FitState::beginAnew(int slides) {
     const auto begin = [&](const std::vector<bool>& isFree) {
         parallelFor(count(), setup_.jobs, [&](std::size_t k) {
@@ -125,7 +69,7 @@ void FitState::beginFrom(const FitRound& round, const std::vector<bool>& isSoft,
     for (std::size_t k = 0; k < count(); ++k) {
         if (!isSoft[k]) continue;
         changing(k) = makeLattice(setup_.sources[k], setup_.parametersOf(k, spaces_[k].knots));
-        givenUp_[k] = {};
+        errors_.giveNothingUp(k);
         reweighed_[k] = true;
     }
     solveChanged(slides);
@@ -142,7 +86,7 @@ template <class OfKind> std::vector<bool> FitState::freeAround(const OfKind& isO
     const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
     std::vector<bool> changed = changedPatches(before);
     for (std::size_t k = 0; k < count(); ++k)
-        if (isOfKind(errors_[k])) changed[k] = true;
+        if (isOfKind(errors_.ofPatches()[k])) changed[k] = true;
     return freePatches(plan_.stretches(), spaces_, changed, setup_.options.ringsAround,
                        setup_.options.worthAll);
 }
@@ -171,7 +115,7 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     for (int k = 0; k < slides; ++k) {
         system.solve(lattices_, Accuracy::draft, patches_);
         forFree([&](std::size_t i) {
-            const double share = scale_[i] > 1 ? 0 : setup_.options.slack;
+            const double share = errors_.isScaled(i) ? 0 : setup_.options.slack;
             slideTargets(patches_[i], share * setup_.options.tolerance, lattices_[i]);
         });
     }
@@ -182,42 +126,10 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     return true;
 }
 
-/// Measures patches again at the points of their lattices.
-void FitState::assess(const std::vector<bool>& isNew) {
-    parallelFor(count(), setup_.jobs, [&](std::size_t k) {
-        if (!isNew[k]) return;
-        errors_[k] = latticeErrors(lattices_[k], patches_[k], setup_.options.tolerance, scale_[k]);
-        missed_[k] = missedBy(errors_[k]);
-        givenUp_[k].cap(lattices_[k], errors_[k]);
-    });
-    worst_ = 0;
-    excess_ = 0;
-    for (const PatchErrors& ofPatch : errors_) {
-        worst_ = std::max(worst_, ofPatch.max());
-        excess_ += std::max(0.0, ofPatch.max() - 1);
-    }
-}
-
-std::vector<bool> FitState::foldedPatches() const {
-    return marked(errors_, [](const PatchErrors& errors) { return errors.anyFolded(); });
-}
-
-std::vector<bool> FitState::missingPatches() const {
-    return marked(errors_, [](const PatchErrors& errors) { return errors.max() > 1; });
-}
-
-bool FitState::isFolded() const {
-    return std::ranges::any_of(errors_, [](const PatchErrors& errors) { return errors.anyFolded(); });
-}
-
-RoundScore FitState::score() const {
-    return scoreOf(missed_, worst_ <= 1, patches_);
-}
-
 FitRound FitState::round() {
     for (std::size_t k = 0; k < lattices_.size(); ++k)
         if (!kept_[k]) kept_[k] = std::make_shared<const LatticeProgress>(lattices_[k]);
-    return {score(), patches_, plan_, kept_, givenUp_, {}};
+    return {score(), patches_, plan_, kept_, errors_.givenUp(), {}};
 }
 
 FitLattice& FitState::changing(std::size_t patch) {
@@ -232,7 +144,7 @@ void FitState::restore(const FitRound& round) {
         if (kept_[k] != round.lattices[k]) lattices_[k] = restored(setup_.sources[k], *round.lattices[k]);
     });
     kept_ = round.lattices;
-    givenUp_ = round.givenUp;
+    errors_.setGivenUp(round.givenUp);
     reweighed_.assign(count(), false);
     patches_ = round.patches;
     solvedRuns_ = plan_.runs();
@@ -257,8 +169,9 @@ bool FitState::weighWhatIsMissed() {
     bool changed = false;
     for (std::size_t k = 0; k < lattices_.size(); ++k) {
         bool ofPatch = false;
-        for (std::size_t i = 0; i < errors_[k].error.size(); ++i) {
-            if (errors_[k].error[i] <= 1 || lattices_[k].emphasis[i] >= Emphasis::max) continue;
+        const std::vector<double>& error = errors_.ofPatches()[k].error;
+        for (std::size_t i = 0; i < error.size(); ++i) {
+            if (error[i] <= 1 || lattices_[k].emphasis[i] >= Emphasis::max) continue;
             changing(k).emphasis[i] *= Emphasis::growth;
             ofPatch = true;
         }
@@ -275,18 +188,18 @@ void FitState::reweigh(std::size_t patch) {
 }
 
 bool FitState::refine() {
-    return qm::refine(lattices_, setup_.map, spaces_, errors_, plan_);
+    return qm::refine(lattices_, setup_.map, spaces_, errors_.ofPatches(), plan_);
 }
 
 template <class Function> void FitState::forBadCells(double limit, Function&& function) {
     for (std::size_t k = 0; k < lattices_.size(); ++k)
         for (const KnotCell& cell : cellsOf(spaces_[k]))
-            if (worstIn(cell, lattices_[k], errors_[k]).error > limit) function(cell, k);
+            if (worstIn(cell, lattices_[k], errors_.ofPatches()[k]).error > limit) function(cell, k);
 }
 
 bool FitState::removeKnots() {
-    removed_ =
-        qm::removeKnots(lattices_, setup_.normalLimits, patches_, errors_, setup_.options.tolerance, plan_);
+    removed_ = qm::removeKnots(lattices_, setup_.normalLimits, patches_, errors_.ofPatches(),
+                               setup_.options.tolerance, plan_);
     return !removed_.empty();
 }
 
@@ -314,8 +227,8 @@ bool FitState::putBackKnots(Where where) {
 void FitState::giveUpCells(double limit, BadCells which) {
     std::vector<bool> changed(count());
     forBadCells(limit, [&](const KnotCell& cell, std::size_t k) {
-        if (which == BadCells::foldedOnly && !isNear(cell, lattices_[k], errors_[k])) return;
-        givenUp_[k].add(cell, changing(k), errors_[k]);
+        if (which == BadCells::foldedOnly && !isNear(cell, lattices_[k], errors_.ofPatches()[k])) return;
+        errors_.giveUp(k, cell, changing(k));
         changed[k] = true;
     });
     for (std::size_t k = 0; k < changed.size(); ++k)
@@ -324,7 +237,7 @@ void FitState::giveUpCells(double limit, BadCells which) {
 
 void FitState::giveUp() {
     constexpr double share = 0.5;
-    giveUpCells(1 + share * (worst_ - 1), BadCells::any);
+    giveUpCells(1 + share * (errors_.worst() - 1), BadCells::any);
 }
 
 void FitState::giveUpFolds() {
@@ -345,20 +258,9 @@ bool FitState::stopSliding() {
 }
 
 bool FitState::tighten(const FitRound& round) {
-    // What is found may be so much farther than what the lattice shows.
-    constexpr double agreement = 1.02;
-    // Errors are scaled by so much in addition, lest the tolerance be just missed again.
-    constexpr double reserve = 1.03;
-    bool changed = false;
-    for (std::size_t k = 0; k < count(); ++k) {
-        const double found = round.distances[k];
-        const double told = errors_[k].maxDistance();
-        if (found <= 1 || found <= agreement * told || !(told > 0)) continue;
-        scale_[k] *= reserve * found / told;
-        changed = true;
-    }
-    if (changed) assess(everywhere());
-    return changed;
+    if (!errors_.tighten(round.distances)) return false;
+    assess(everywhere());
+    return true;
 }
 
 } // namespace qm

@@ -1,54 +1,52 @@
 /// \file The state of a fit: its knots, the patches fitted with them, and their distances from the reference.
 #pragma once
 
+#include "bspline/fitting/fit_errors.h"
 #include "bspline/fitting/fit_problem.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/fit_setup.h"
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/knots/knot_removal.h"
 #include "bspline/fitting/lattice/fit_lattice.h"
-#include "bspline/fitting/lattice/given_up_cells.h"
-#include "bspline/fitting/lattice/lattice_errors.h"
 #include "bspline/fitting/planes/flat_patches.h"
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace qm {
 
-/// The steps of a fit. Errors are in tolerances: values above 1 are too large.
+/// The steps of a fit.
 class FitState {
 public:
-    /// Without knots and patches; `solveFirst` or `beginFrom` comes first. The arguments must outlive it.
+    /// Without knots and patches; `begin` or `beginFrom` comes first. The arguments must outlive it.
     /// \param isSoft  by patch: whether it follows the reference more closely at the cost of fairness
     FitState(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
              unsigned jobs);
 
-    /// Solves for all patches with the fewest knots that are likely to suffice. Patches that fold with so few
-    /// get more at once, because folded patches seldom unfold, and knots that are not needed can be removed.
-    /// \param slides           number of times that the targets slide in between
-    /// \param isStopRequested  patches that fold remain folded once it returns true
-    void solveFirst(int slides, const std::function<bool()>& isStopRequested);
+    [[nodiscard]] const FitSetup& setup() const { return setup_; }
+
+    /// Solves for all patches with the knots of a plan.
+    /// \param lattices  of equal steps
+    void begin(KnotPlan plan, std::vector<FitLattice> lattices, int slides);
+    /// Changes the knots; the patches remain until they are solved for.
+    void takeKnots(KnotPlan plan) { plan_ = std::move(plan); }
+    /// Draws the folded patches, those whose knots have changed, and those around them to the reference,
+    /// without what was learnt before, and solves for them, or does so with all if that is impossible.
+    void beginAnew(int slides);
     /// Goes on from a round of another fit, but draws soft patches to the reference without what was learnt
     /// of them, and solves for these.
     void beginFrom(const FitRound& round, const std::vector<bool>& isSoft, int slides);
     /// Solves for the patches that have changed and those around them, or for all if that is impossible.
     void solveChanged(int slides);
 
-    [[nodiscard]] double worst() const { return worst_; }   ///< largest error of all patches
-    [[nodiscard]] double excess() const { return excess_; } ///< sum over the patches of their error above 1
+    [[nodiscard]] const FitErrors& errors() const { return errors_; }
+    [[nodiscard]] RoundScore score() const { return errors_.scoreOf(patches_); }
 
-    /// By patch: whether its error is above 1.
-    [[nodiscard]] std::vector<bool> missingPatches() const;
-    /// By patch: whether it is folded where that counts.
-    [[nodiscard]] std::vector<bool> foldedPatches() const;
-    /// Whether a patch is folded where that counts.
-    [[nodiscard]] bool isFolded() const;
-    /// The score of the present patches.
-    [[nodiscard]] RoundScore score() const;
+    /// Whether the present patches have a plan's knots and tangent ratios.
+    [[nodiscard]] bool isSolvedWith(const KnotPlan& plan) const;
     [[nodiscard]] FitRound round();
     /// Goes back to an earlier round.
     void restore(const FitRound& round);
@@ -96,13 +94,11 @@ private:
     [[nodiscard]] std::size_t count() const { return setup_.sources.size(); } ///< of patches
     [[nodiscard]] std::vector<bool> everywhere() const { return std::vector<bool>(count(), true); }
     [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const;
-    [[nodiscard]] bool isSolvedWith(const KnotPlan& plan) const;
-    bool allowShorter() { return allow(MinInterval::eighth) || allow(MinInterval::thirtySecond); }
-    void beginAnew(int slides);
     template <class OfKind> std::vector<bool> freeAround(const OfKind& isOfKind);
     bool solveFor(const std::vector<bool>& isFree, int slides);
     FitLattice& changing(std::size_t patch);
-    void assess(const std::vector<bool>& isNew);
+    /// Measures patches again.
+    void assess(const std::vector<bool>& isNew) { errors_.measure(isNew, lattices_, patches_, setup_.jobs); }
     template <class Function> void forBadCells(double limit, Function&& function);
     enum class BadCells { any, foldedOnly };
     void giveUpCells(double limit, BadCells which);
@@ -115,15 +111,10 @@ private:
     std::vector<std::shared_ptr<const LatticeProgress>> kept_;
     std::vector<PatchSpace> spaces_;
     std::vector<Patch> patches_;
-    std::vector<PatchErrors> errors_;
-    std::vector<GivenUpCells> givenUp_;
+    FitErrors errors_;
     std::vector<bool> reweighed_;       ///< by patch: whether weights have changed since the last solution
     std::vector<SmoothRun> solvedRuns_; ///< the runs with the tangent ratios of the last solution
     std::vector<PatchKnot> removed_;    ///< the last time, and not put back
-    std::vector<double> missed_;        ///< by patch: see `missedBy`; before anything is given up
-    std::vector<double> scale_;         ///< by patch: factor of its errors
-    double worst_ = 0;
-    double excess_ = 0;
 };
 
 } // namespace qm

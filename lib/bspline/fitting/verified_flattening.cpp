@@ -30,9 +30,9 @@ void flattenWhereKept(const Verification& verify, int slides, std::vector<std::o
     constexpr double worse = 1.01; // times as far as before; less may be an error of measurement
     for (int k = 0; k < attempts; ++k) {
         state.restore(round);
-        const std::vector<bool> wasFolded = state.foldedPatches();
+        const std::vector<bool> wasFolded = state.errors().areFolded();
         if (!state.flatten(planes, slides)) return;
-        const std::vector<bool> isFolded = state.foldedPatches();
+        const std::vector<bool> isFolded = state.errors().areFolded();
         FitRound flat = state.round();
         flat.distances = verify(flat.patches);
         std::vector<bool> isSpoiled(flat.patches.size());

@@ -1,3 +1,4 @@
+#include "bspline/fitting/first_solution.h"
 #include "bspline/fitting/fit_state.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/reference/limit/limit_surface.h"
@@ -44,8 +45,8 @@ protected:
     };
     [[nodiscard]] Points pointsWith(FitState::Where where) const {
         FitState state(problem, options, std::vector<bool>(2), 1);
-        state.solveFirst(2, [] { return false; });
-        while (state.worst() > 1 && state.refine())
+        solveFirst(state, 2, [] { return false; });
+        while (state.errors().worst() > 1 && state.refine())
             state.solveChanged(2);
         Points points{.first = state.score().controlPoints};
         state.removeKnots();
@@ -87,11 +88,11 @@ TEST(FitState, BeginsAnewFromARoundWithoutChangingWhatIsFarAway) {
     SmoothFitOptions options;
     options.tolerance = 0.02;
     FitState first(problem, options, std::vector<bool>(count), 1);
-    first.solveFirst(2, [] { return false; });
-    while (first.worst() > 1 && first.refine())
+    solveFirst(first, 2, [] { return false; });
+    while (first.errors().worst() > 1 && first.refine())
         first.solveChanged(2);
     const FitRound round = first.round();
-    ASSERT_LE(first.worst(), 1);
+    ASSERT_LE(first.errors().worst(), 1);
 
     std::vector<bool> isSoft(count);
     isSoft[0] = true;
@@ -102,7 +103,7 @@ TEST(FitState, BeginsAnewFromARoundWithoutChangingWhatIsFarAway) {
     EXPECT_EQ(patches[0].knots, round.patches[0].knots);
     for (std::size_t k = count * 3 / 4; k < count; ++k)
         EXPECT_EQ(patches[k].controlPoints, round.patches[k].controlPoints) << k;
-    EXPECT_LT(second.worst(), 1.2);
+    EXPECT_LT(second.errors().worst(), 1.2);
 }
 
 TEST_F(WavedFit, PutsBackTheKnotsThatTurnOutToBeNeeded) {
@@ -125,7 +126,7 @@ protected:
     /// The number of control points after the first solution.
     [[nodiscard]] std::size_t first(const std::function<bool()>& isStopRequested) const {
         FitState state(problem, options, std::vector<bool>(2), 1);
-        state.solveFirst(2, isStopRequested);
+        solveFirst(state, 2, isStopRequested);
         return state.score().controlPoints;
     }
 };
@@ -154,11 +155,11 @@ TEST(FitState, DoesNotBeginAnewTwiceWithTheSameKnots) {
     const Verification verify;
     FitState state({mesh, layout, network, reference, verify}, options, std::vector<bool>(6), 1);
     int times = 0;
-    state.solveFirst(1, [&] {
+    solveFirst(state, 1, [&] {
         ++times;
         return false;
     });
-    ASSERT_TRUE(state.isFolded());
+    ASSERT_TRUE(state.errors().isAnyFolded());
     EXPECT_EQ(times, 2) << "once with the same knots, and once after the last attempt";
 }
 
