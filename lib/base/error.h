@@ -1,8 +1,10 @@
 /// \file The one exception of the library, for errors that the user can understand and mend.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace qm {
 
@@ -14,8 +16,15 @@ public:
     /// \param what    what is wrong, lower case, without a full stop
     /// \param remedy  what the user can do about it, a sentence without a full stop; may be empty
     Error(const std::string& place, const std::string& what, const std::string& remedy = {})
-        : std::runtime_error((place.empty() ? "" : place + ": ") + what +
-                             (remedy.empty() ? "" : ". " + remedy)) {}
+        : std::runtime_error(withoutZeros((place.empty() ? "" : place + ": ") + what +
+                                          (remedy.empty() ? "" : ". " + remedy))) {}
+
+private:
+    /// Text of a document may hold zero bytes, and `what` would end there.
+    static std::string withoutZeros(std::string text) {
+        std::ranges::replace(text, '\0', '?');
+        return text;
+    }
 };
 
 } // namespace qm

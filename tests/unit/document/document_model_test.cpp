@@ -447,6 +447,8 @@ TEST(Documents, AreRecognised) {
     EXPECT_EQ(refusal(R"({"kind": 3})"), "part.json: /kind: is number, not string");
     EXPECT_EQ(refusal(R"({"kind": "spoon", "version": 1})"),
               "part.json: /kind: 'spoon' is no kind of document");
+    EXPECT_EQ(refusal(R"({"kind": "spo\u0000on", "version": 1})"),
+              "part.json: /kind: 'spo?on' is no kind of document");
     EXPECT_EQ(refusal(R"({"kind": "layout"})"), "part.json: /: lacks 'version'");
     EXPECT_EQ(refusal(R"({"kind": "layout", "version": 99})").rfind("part.json: /version: is not 1", 0), 0U);
     EXPECT_EQ(refusal(R"({"kind": "layout", "version": 1})").rfind("part.json: lacks '", 0), 0U);
