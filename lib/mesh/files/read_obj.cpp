@@ -84,6 +84,15 @@ private:
 } // namespace
 
 Soup readObj(std::string_view text, std::size_t sides) {
+    if (text.ends_with('\0')) text.remove_suffix(1); // some programs write the end of their string, too
+    // Unknown statements are passed over, so lines would be lost where zeros have taken their place.
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+        TextLines lines(text.substr(0, zero + 1));
+        while (lines.nextLine()) {
+        }
+        throw Error(lines.place(), "it holds a zero byte, as no text does",
+                    "The file seems to be damaged, or is in UTF-16. Use another copy, or save it as UTF-8");
+    }
     return ObjReader(text, sides).read();
 }
 

@@ -1,5 +1,6 @@
 #include "base/at.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "mesh/files/text_lines.h"
 #include "mesh/soup/soup.h"
 
@@ -63,10 +64,10 @@ private:
         return at(*count);
     }
 
-    [[noreturn]] void cutOff(const std::string& what, std::size_t found, std::size_t announced) const {
+    /// \param found  the elements before it, with their number
+    [[noreturn]] void cutOff(const std::string& found, std::size_t announced) const {
         throw Error(lines_.place(),
-                    "the file ends after " + std::to_string(found) + " " + what + ", its header says " +
-                        std::to_string(announced),
+                    "the file ends after " + found + ", its header says " + std::to_string(announced),
                     cutOffHint);
     }
 
@@ -80,7 +81,7 @@ private:
         beginElement();
         for (unsigned k = 0; k < 3; ++k) {
             const std::string_view word = lines_.wordAnywhere();
-            if (word.empty()) cutOff("vertices", soup_.points.size(), announced);
+            if (word.empty()) cutOff(countText(soup_.points.size(), "vertex", "vertices"), announced);
             const auto value = readFileNumber<double>(word);
             if (!value)
                 throw Error(lines_.place(),
@@ -108,7 +109,7 @@ private:
 
     std::int64_t readIndex(std::size_t announced) {
         const std::string_view word = lines_.wordAnywhere();
-        if (word.empty()) cutOff("faces", soup_.faceCount(), announced);
+        if (word.empty()) cutOff(countText(soup_.faceCount(), "face"), announced);
         const auto index = readFileNumber<std::int64_t>(word);
         if (!index)
             throw Error(lines_.place(),
@@ -123,8 +124,8 @@ private:
         beginElement();
         if (!lines_.wordAnywhere().empty())
             throw Error(lines_.place(),
-                        "the file goes on after the " + std::to_string(announced) +
-                            " faces that its header announces",
+                        "the file goes on after the " + countText(announced, "face") +
+                            " that its header announces",
                         "Correct the counts in the header");
     }
 

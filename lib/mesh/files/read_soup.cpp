@@ -6,8 +6,6 @@ namespace qm {
 
 Soup readSoup(std::string_view bytes, std::string_view name, std::size_t sides) {
     if (bytes.empty()) throw Error("", "the file is empty", "Use a complete copy");
-    // A byte order mark, which some editors write.
-    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
     auto format = formatOfName(name);
     if (!format) format = formatOfBytes(bytes);
     if (!format)

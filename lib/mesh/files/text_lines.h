@@ -17,11 +17,17 @@ constexpr const char* cutOffHint = "The file seems to be cut off. Use a complete
 /// What a backslash at the end of a line means.
 enum class Backslash { character, joinsLines };
 
-/// Walks through a text. Lines end with LF, CRLF or CR, whichever ends the first line; '#' begins a comment.
+/// Walks through a text. Lines end with LF, CRLF or CR, all of which may occur in one text; '#' begins a
+/// comment. A byte order mark at the beginning, which some editors write, is passed over.
 class TextLines {
 public:
     explicit TextLines(std::string_view text, Backslash backslash = Backslash::character)
-        : rest_(text), lineEnd_(lineEndOf(text)), backslash_(backslash) {}
+        : rest_(text), backslash_(backslash) {
+        if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+        const std::size_t end = rest_.find_first_of("\r\n");
+        isReturnAlone_ =
+            end != std::string_view::npos && rest_[end] == '\r' && !rest_.substr(end).starts_with("\r\n");
+    }
 
     /// Goes to the next line; after the last one follows an empty line.
     bool nextLine() {
@@ -65,21 +71,17 @@ public:
     [[nodiscard]] std::string_view rest() const { return rest_; }
 
 private:
-    static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
-    static char lineEndOf(std::string_view text) {
-        const std::size_t end = text.find_first_of("\r\n");
-        const bool returnAlone =
-            end != std::string_view::npos && text[end] == '\r' && text.substr(end + 1, 1) != "\n";
-        return returnAlone ? '\r' : '\n';
-    }
+    static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
     void takeLine() {
         if (!rest_.empty()) ++number_;
-        const std::size_t end = rest_.find(lineEnd_);
-        unfinished_ = end == std::string_view::npos;
+        std::size_t end = 0;
+        while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r')
+            ++end;
+        unfinished_ = end == rest_.size();
         line_ = rest_.substr(0, end);
-        rest_.remove_prefix(unfinished_ ? rest_.size() : end + 1);
+        rest_.remove_prefix(end);
+        if (!unfinished_) rest_.remove_prefix(rest_.starts_with("\r\n") && !isReturnAlone_ ? 2 : 1);
         line_ = line_.substr(0, line_.find('#'));
         while (!line_.empty() && isBlank(line_.back()))
             line_.remove_suffix(1);
@@ -90,8 +92,10 @@ private:
     std::string_view rest_;
     std::string_view line_;
     std::uint32_t number_ = 0;
-    char lineEnd_;
     Backslash backslash_;
+    /// The first line ends with CR alone. Then LF is no part of such an end: it may be the first byte of what
+    /// follows a header.
+    bool isReturnAlone_ = false;
     bool joined_ = false;
     bool unfinished_ = false;
 };

@@ -50,6 +50,23 @@ TEST(ReadMesh, UnderstandsAnyLineEnd) {
     }
 }
 
+TEST(ReadMesh, UnderstandsSeveralLineEndsInOneFile) {
+    // Each takes turns, as in files that were put together or edited on several systems.
+    const auto mixed = [](const std::string& text, const std::vector<std::string>& ends) {
+        std::string result;
+        for (std::size_t count = 0; const char c : text)
+            result += c == '\n' ? ends[count++ % ends.size()] : std::string(1, c);
+        return result;
+    };
+    for (const std::vector<std::string>& ends :
+         {std::vector<std::string>{"\n", "\r"}, {"\r", "\n"}, {"\r\n", "\r"}, {"\r", "\r\n"}, {"\r\r\n"}}) {
+        expectTwoSquares(mixed(twoObj(), ends), "a.obj");
+        expectTwoSquares(mixed(twoOff(), ends), "a.off");
+        expectTwoSquares(mixed(twoPly(), ends), "a.ply");
+    }
+    EXPECT_TRUE(says(refusal("# 1\n# 2\r# 3\r\nv 1 x 0\r", "a.obj"), "^line 4: "));
+}
+
 TEST(ReadMesh, NeedsNoFinalLineEnd) {
     expectTwoSquares(twoObj().substr(0, twoObj().size() - 1), "a.obj");
     expectTwoSquares(twoOff().substr(0, twoOff().size() - 1), "a.off");

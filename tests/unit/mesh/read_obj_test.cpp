@@ -94,6 +94,15 @@ TEST(ReadObj, TakesTrianglesWithoutALastLineEndForTriangles) {
     EXPECT_TRUE(says(refusal(triangles, "a.obj"), "^face 0 (line 5): it has 3 sides", "quads of all faces"));
 }
 
+TEST(ReadObj, RefusesZeroBytesThatHideLines) {
+    const std::string zeros(64, '\0');
+    EXPECT_TRUE(says(refusal(replaced(twoObj(), "f 2 5 6 3", zeros + "f 2 5 6 3"), "a.obj"),
+                     "^line 8: it holds a zero byte", "damaged"));
+    EXPECT_TRUE(says(refusal(twoObj() + zeros, "a.obj"), "^line 9: it holds a zero byte"));
+    EXPECT_TRUE(says(refusal(zeros, "a.obj"), "^line 1: it holds a zero byte"));
+    expectTwoSquares(twoObj() + zeros.substr(0, 1), "a.obj");
+}
+
 TEST(ReadObj, RefusesWhatWasCutOff) {
     EXPECT_TRUE(says(refusal(replaced(twoObj(), "f 2 5 6 3\n", "f 2 5"), "a.obj"),
                      "^face 1 (line 8): the last line ends after 2 corners", "cut off"));

@@ -47,17 +47,17 @@ TEST(ReadOff, RefusesWhatWasCutOff) {
     EXPECT_TRUE(
         says(refusal(twoOff().substr(0, 30), "a.off"), "the file ends after 3 vertices, its header says 6"));
     EXPECT_TRUE(says(refusal(twoOff().substr(0, twoOff().size() - 10), "a.off"),
-                     "the file ends after 1 faces, its header says 2"));
+                     "the file ends after 1 face, its header says 2"));
 }
 
 TEST(ReadOff, RefusesMoreThanItsHeaderSays) {
     EXPECT_TRUE(says(refusal(replaced(twoOff(), "6 2 7", "6 1 7"), "a.off"),
-                     "^line 10: the file goes on after the 1 faces"));
+                     "^line 10: the file goes on after the 1 face that"));
 }
 
 TEST(ReadOff, AllocatesNothingForAHostileHeader) {
     for (const std::string count : {"1000000000000", "9223372036854775807", "99999999999999999999999"}) {
-        EXPECT_TRUE(says(refusal("OFF\n" + count + " 1 0\n0 0 0\n", "a.off"), "file ends after 1 vertices"));
+        EXPECT_TRUE(says(refusal("OFF\n" + count + " 1 0\n0 0 0\n", "a.off"), "file ends after 1 vertex,"));
         EXPECT_TRUE(says(refusal("OFF\n1 " + count + " 0\n0 0 0\n", "a.off"), "file ends after 0 faces"));
         EXPECT_TRUE(says(refusal("OFF\n1 1 0\n0 0 0\n" + count + " 1 1 1 1\n", "a.off"),
                          "cannot have that many vertices"));

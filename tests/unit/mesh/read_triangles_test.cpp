@@ -88,6 +88,14 @@ TEST(ReadTriangles, BinaryStlMayBeginWithSolid) {
     expectSquare(bytes, "a.stl");
 }
 
+TEST(ReadTriangles, AByteOrderMarkIsPassedOverWhereItIsNoPartOfABinaryHeader) {
+    const std::string mark = "\xEF\xBB\xBF";
+    expectSquare(mark + textStl(), "a.stl");
+    std::string bytes = writeSoup(soupOf(square()), MeshFormat::stl);
+    bytes.replace(0, 3, mark);
+    expectSquare(bytes, "a.stl");
+}
+
 TEST(ReadTriangles, WhatIsNotWholeOrNoSurfaceIsRefused) {
     const std::string binary = writeSoup(soupOf(square()), MeshFormat::stl);
     expectRefused(binary.substr(0, binary.size() - 1), "a.stl", "2 facets that its header announces");
