@@ -1,5 +1,9 @@
 #include "mesh/soup/soup.h"
 
+#include "base/positions.h"
+
+#include <algorithm>
+
 namespace qm {
 namespace {
 
@@ -12,6 +16,10 @@ std::string place(const char* what, std::size_t k, const Numbers& numbers, const
 }
 
 } // namespace
+
+std::size_t Soup::faceOf(std::size_t corner) const {
+    return positionIn(faceBegins, std::ranges::upper_bound(faceBegins, corner)) - 1;
+}
 
 void Soup::endFace(std::uint32_t line) {
     faceBegins.push_back(corners.size());

@@ -28,6 +28,8 @@ struct Soup {
     [[nodiscard]] std::span<const std::int64_t> face(std::size_t k) const {
         return {corners.data() + faceBegins[k], corners.data() + faceBegins[k + 1]};
     }
+    /// The polygon that a corner belongs to; takes logarithmic time.
+    [[nodiscard]] std::size_t faceOf(std::size_t corner) const;
     /// Makes the corners that were added since the last polygon a new one.
     /// \param line  0 if there are no lines
     void endFace(std::uint32_t line);

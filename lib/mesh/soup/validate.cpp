@@ -65,9 +65,7 @@ void checkIndices(const Soup& soup) {
     const auto wrong =
         std::ranges::find_if(soup.corners, [&](std::int64_t k) { return k < 0 || k >= count; });
     const bool oneBased = soup.firstIndex == 0 && lowest == 1 && highest == count;
-    const std::size_t corner = positionIn(soup.corners, wrong);
-    const auto behind = std::ranges::upper_bound(soup.faceBegins, corner);
-    throw Error(soup.facePlace(positionIn(soup.faceBegins, behind) - 1),
+    throw Error(soup.facePlace(soup.faceOf(positionIn(soup.corners, wrong))),
                 "vertex index " + std::to_string(*wrong + soup.firstIndex) + " is out of range: there are " +
                     std::to_string(soup.points.size()) + " vertices, counted from " +
                     std::to_string(soup.firstIndex),
@@ -181,10 +179,8 @@ void validatePolygons(const Soup& soup) {
 }
 
 void validateElements(const Soup& soup) {
-    checkSize(soup);
+    validatePolygons(soup);
     checkQuads(soup);
-    checkIndices(soup);
-    checkPoints(soup);
 }
 
 std::vector<Side> validateSoup(const Soup& soup) {

@@ -132,7 +132,8 @@ TEST(Refusal, OfOtherPolygonsSaysHowMany) {
     EXPECT_TRUE(says(refusal(objOf(gridPoints, "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8\n"), "a.obj"),
                      "1 of 3 faces is not four-sided. Make quads of all faces: quadmesh --subdivide"));
     EXPECT_TRUE(
-        says(refusal(objOf(gridPoints, "f\n"), "a.obj"), "it has 0 sides; 1 of 1 face is not four-sided"));
+        says(refusal(objOf(gridPoints, "f\n"), "a.obj"),
+             "^face 0 (line 13): it has 0 sides. Use another copy of the file, or take the face out"));
 }
 
 TEST(Refusal, OfIndicesOutOfRange) {
