@@ -45,7 +45,7 @@ std::string loopsText(const std::vector<BoundaryLoop>& loops) {
 MeshInput readMeshInput(const Tool& tool, bool repair) {
     const std::string bytes = tool.readInput();
     tool.protect(tool.inputPath());
-    ReadResult read = readMesh(bytes, tool.inputPath() == "-" ? "" : tool.inputPath(), {repair});
+    ReadResult read = readMesh(bytes, tool.inputPath(), {repair});
     verifyExtent(boundingBox(read.mesh));
     for (const std::string& warning : suspicions(read.mesh))
         tool.warnOfInput(warning);

@@ -36,11 +36,11 @@ int judge(const Tool& tool, const Remeshed& remeshed) {
 } // namespace
 
 int remeshInput(const Tool& tool, const RemeshOptions& options) {
-    Triangles scan = readTriangles(tool.readInput(), tool.inputPath() == "-" ? "" : tool.inputPath());
+    Triangles scan = readTriangles(tool.readInput(), tool.inputPath());
     tool.protect(tool.inputPath());
     tool.count("triangles", scan.faces.size());
     if (const std::string done = repairText(repairTriangles(scan)); !done.empty()) tool.warnOfInput(done);
-    const Remeshed remeshed = remeshWithBlender(scan, options, tool.control("drawing").jobs);
+    const Remeshed remeshed = remeshWithBlender(scan, options, tool.jobs());
     if (remeshed.used.seed != options.seed)
         tool.note("made with --seed " + std::to_string(remeshed.used.seed));
     if (remeshed.used.preserveSharp != options.preserveSharp)

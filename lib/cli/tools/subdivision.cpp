@@ -28,12 +28,11 @@ std::size_t facesWithSides(const Soup& soup, std::size_t sides) {
 int subdivideInput(const Tool& tool, double rho) {
     const std::string bytes = tool.readInput();
     tool.protect(tool.inputPath(), "is the mesh that is read");
-    const std::string name = tool.inputPath() == "-" ? "" : tool.inputPath();
-    const Soup soup = readSoup(bytes, name, 3);
+    const Soup soup = readSoup(bytes, tool.inputPath(), 3);
     validatePolygons(soup);
     verifyExtent(boundingBoxOf(soup.corners, [&](std::int64_t corner) { return soup.points[at(corner)]; }));
     const std::size_t triangles = facesWithSides(soup, 3), quads = facesWithSides(soup, 4);
-    if (formatOfName(name) == MeshFormat::stl || formatOfBytes(bytes) == MeshFormat::stl)
+    if (formatOfName(tool.inputPath()) == MeshFormat::stl || formatOfBytes(bytes) == MeshFormat::stl)
         throw Error("", "STL holds triangles that are not connected, which cannot be subdivided",
                     "Use --quads instead of --subdivide");
     if (2 * triangles > soup.faceCount())
