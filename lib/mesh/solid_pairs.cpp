@@ -2,29 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <tuple>
 
 namespace qm {
 namespace {
 
-/// The faces by their angle around the edge, in the right-handed sense.
-std::vector<FaceAtEdge> inCircle(const Point& direction, std::span<const FaceAtEdge> faces) {
+/// The faces with their angles around the edge, in the right-handed sense and in the order of these.
+std::vector<std::pair<double, FaceAtEdge>> inCircle(const Point& direction,
+                                                    std::span<const FaceAtEdge> faces) {
     Point axis = direction;
     axis.normalize_cond();
     Point first = faces.front().inward;
     first -= axis * (axis | first);
     first.normalize_cond();
     const Point second = axis % first;
-    std::vector<std::tuple<double, Side, const FaceAtEdge*>> angles;
+    std::vector<std::pair<double, FaceAtEdge>> around;
     for (const FaceAtEdge& face : faces) {
         const double angle = std::atan2(face.inward | second, face.inward | first);
-        angles.emplace_back(std::isfinite(angle) ? angle : 0, face.side, &face);
+        around.emplace_back(std::isfinite(angle) ? angle : 0, face);
     }
-    std::ranges::sort(angles);
-    std::vector<FaceAtEdge> around;
-    std::ranges::transform(angles, std::back_inserter(around),
-                           [](const auto& entry) { return *std::get<const FaceAtEdge*>(entry); });
+    std::ranges::sort(around, {},
+                      [](const auto& entry) { return std::pair(entry.first, entry.second.side); });
     return around;
 }
 
@@ -35,7 +32,7 @@ std::vector<std::pair<Side, Side>> pairsAroundSolids(const Point& direction,
     if (faces.empty()) return {};
     std::vector<std::pair<Side, Side>> pairs;
     std::vector<Side> open, behind; // behind: those that ascend before all that are open at angle 0 are known
-    for (const FaceAtEdge& face : inCircle(direction, faces)) {
+    for (const auto& [angle, face] : inCircle(direction, faces)) {
         if (!face.ascends) {
             open.push_back(face.side);
         } else if (open.empty()) {

@@ -10,17 +10,24 @@ namespace qm {
 SoupEdges findEdges(const Soup& soup) {
     // Linear time: sorts the sides into buckets by their lower vertex, then within these small buckets.
     const auto sideCount = static_cast<Side>(soup.corners.size());
-    const auto ends = [&](Side side) { return std::minmax({sideFrom(soup, side), sideTo(soup, side)}); };
+    const auto forEachSide = [&](const auto& visit) { // with its lower and its higher end
+        Side side = 0;
+        for (std::size_t face = 0; face < soup.faceCount(); ++face) {
+            const auto corners = soup.face(face);
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const auto [low, high] = std::minmax(corners[k], corners[k + 1 < corners.size() ? k + 1 : 0]);
+                visit(side++, low, high);
+            }
+        }
+    };
     std::vector<std::size_t> bucketBegin(soup.points.size() + 2, 0);
-    for (Side side = 0; side < sideCount; ++side)
-        ++bucketBegin[at(ends(side).first) + 2];
+    forEachSide([&](Side, std::int64_t low, std::int64_t) { ++bucketBegin[at(low) + 2]; });
     for (std::size_t k = 2; k < bucketBegin.size(); ++k)
         bucketBegin[k] += bucketBegin[k - 1];
     std::vector<std::pair<std::int64_t, Side>> sorted(sideCount); // higher vertex and side
-    for (Side side = 0; side < sideCount; ++side) {
-        const auto [lower, higher] = ends(side);
-        sorted[bucketBegin[at(lower) + 1]++] = {higher, side};
-    }
+    forEachSide([&](Side side, std::int64_t low, std::int64_t high) {
+        sorted[bucketBegin[at(low) + 1]++] = {high, side};
+    });
     SoupEdges edges;
     edges.sides.reserve(sideCount);
     edges.begin.reserve(sideCount / 2 + 1);

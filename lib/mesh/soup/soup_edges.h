@@ -1,4 +1,4 @@
-/// \file Finding the sides of a soup's quads that lie on the same edge.
+/// \file Finding the sides of a soup's polygons that lie on the same edge.
 #pragma once
 
 #include "mesh/orientation.h"
@@ -20,9 +20,12 @@ struct SoupEdges {
     }
 };
 
-// For soups whose polygons are all quads with indices in range.
-
+/// Linear but for sorting the few sides at each vertex. The side from a polygon's corner to the next one has
+/// the corner's number.
+/// \param soup  polygons with indices in range
 [[nodiscard]] SoupEdges findEdges(const Soup& soup);
+
+// For soups whose polygons are all quads with indices in range.
 
 /// For every side, the other one on its edge; none on the boundary, and if more than two sides share the
 /// edge.

@@ -15,16 +15,14 @@ namespace qm {
 std::size_t orientTriangles(Triangles& triangles) {
     const auto sideCount = static_cast<Side>(3 * triangles.faces.size());
     std::vector<Side> twins(sideCount, sideCount);
-    std::vector<bool> ascends(sideCount);
     forEachEdge(triangles, [&](std::span<const TriangleSide> edge) {
-        for (const TriangleSide& side : edge)
-            ascends[side.side] = side.ascends;
         if (edge.size() != 2) return;
         twins[edge[0].side] = edge[1].side;
         twins[edge[1].side] = edge[0].side;
     });
+    const auto from = [&](Side side) { return triangles.faces[side / 3][side % 3]; };
     const Orientation orientation =
-        findOrientation(3, twins, [&](Side side, Side twin) { return ascends[side] != ascends[twin]; });
+        findOrientation(3, twins, [&](Side side, Side twin) { return from(side) != from(twin); });
     if (orientation.contradiction) {
         const auto& [a, b, c] = triangles.faces[*orientation.contradiction];
         const Point middle =
