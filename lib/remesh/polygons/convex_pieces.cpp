@@ -106,10 +106,11 @@ dividedPolygon(const std::vector<PlanarPoint>& corners,
 
 } // namespace
 
-Soup convexPieces(const Soup& given) {
+ConvexPieces convexPieces(const Soup& given) {
     const Soup soup = withoutRepetitions(given);
     Sides sides(soup);
-    Soup result;
+    ConvexPieces pieces;
+    Soup& result = pieces.soup;
     result.points = soup.points;
     const auto add = [&](std::span<const std::int64_t> corners) {
         result.corners.insert(result.corners.end(), corners.begin(), corners.end());
@@ -121,24 +122,26 @@ Soup convexPieces(const Soup& given) {
         const std::vector<PlanarPoint> places = planarCorners(soup, face);
         const bool hasArea =
             std::ranges::any_of(places, [&](const PlanarPoint& each) { return each != places[0]; });
-        if (!hasArea || isSeenFromItsMiddle(places) || needsGrid(places)) {
+        const bool isGrid = needsGrid(places);
+        if (isGrid) pieces.grids.emplace(result.faceCount(), gridFilling(places));
+        if (isGrid || !hasArea || isSeenFromItsMiddle(places)) {
             add(corners);
             continue;
         }
         const auto mayConnect = [&](std::size_t a, std::size_t b) {
             return !sides.has(corners[a], corners[b]);
         };
-        const auto pieces = dividedPolygon(places, mayConnect);
-        for (const std::vector<std::size_t>& chosen : pieces) {
+        const auto divided = dividedPolygon(places, mayConnect);
+        for (const std::vector<std::size_t>& chosen : divided) {
             piece.clear();
             for (const std::size_t k : chosen)
                 piece.push_back(corners[k]);
             add(piece);
-            for (std::size_t k = 0; k < piece.size() && pieces.size() > 1; ++k)
+            for (std::size_t k = 0; k < piece.size() && divided.size() > 1; ++k)
                 sides.add(piece[k], piece[(k + 1) % piece.size()]);
         }
     }
-    return result;
+    return pieces;
 }
 
 } // namespace qm

@@ -2,8 +2,18 @@
 #pragma once
 
 #include "mesh/soup/soup.h"
+#include "remesh/polygons/grid_filling.h"
+
+#include <cstddef>
+#include <map>
 
 namespace qm {
+
+/// Polygons each of which can be divided into quads, by its grid if it has one, or else around its middle.
+struct ConvexPieces {
+    Soup soup;
+    std::map<std::size_t, GridFilling> grids; ///< by polygon
+};
 
 /// Divides polygons so that each can be divided into quads, around its middle or by a grid (see
 /// `isSeenFromItsMiddle`, `needsGrid`). The others are divided into triangles, and these joined to the best
@@ -11,6 +21,6 @@ namespace qm {
 /// Corners that repeat their neighbour are left out, and faces with fewer than three others.
 /// \param soup  polygons with indices in range and finite coordinates
 /// \return the same points, and the pieces in the order of their polygons
-[[nodiscard]] Soup convexPieces(const Soup& soup);
+[[nodiscard]] ConvexPieces convexPieces(const Soup& soup);
 
 } // namespace qm

@@ -6,11 +6,12 @@
 
 namespace qm {
 
-QuadDivision::QuadDivision(const Soup& soup, const PolygonEdges& edges)
-    : soup_(soup), edges_(edges), pointCount_(soup.points.size() + edges.ends.size()) {
-    for (std::size_t face = 0; face < soup.faceCount(); ++face)
-        if (const auto corners = planarCorners(soup, face); needsGrid(corners))
-            divideByGrid(face, gridFilling(corners));
+QuadDivision::QuadDivision(const ConvexPieces& pieces, const PolygonEdges& edges)
+    : soup_(pieces.soup), grids_(pieces.grids), edges_(edges),
+      pointCount_(soup_.points.size() + edges.ends.size()) {
+    for (std::size_t face = 0; face < soup_.faceCount(); ++face)
+        if (const auto grid = grids_.find(face); grid != grids_.end())
+            divideByGrid(face, grid->second);
         else
             divideAroundMiddle(face);
 }
@@ -52,7 +53,7 @@ void QuadDivision::divideAroundMiddle(std::size_t face) {
         quads_.push_back({{rim[k], rim[k + 1], middle, rim[(k + rim.size() - 1) % rim.size()]}, face});
 }
 
-void QuadDivision::divideByGrid(std::size_t face, GridFilling filling) {
+void QuadDivision::divideByGrid(std::size_t face, const GridFilling& filling) {
     const std::vector<std::size_t> rim = rimOf(face);
     const std::size_t firstInner = pointCount_;
     pointCount_ += filling.innerPoints;
@@ -61,7 +62,6 @@ void QuadDivision::divideByGrid(std::size_t face, GridFilling filling) {
         for (std::size_t& point : part.points)
             point = point < rim.size() ? rim[point] : firstInner + point - rim.size();
     }
-    grids_.emplace(face, std::move(filling));
 }
 
 } // namespace qm

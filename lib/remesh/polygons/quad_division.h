@@ -1,8 +1,7 @@
 /// \file The quads into which polygons are divided.
 #pragma once
 
-#include "mesh/soup/soup.h"
-#include "remesh/polygons/grid_filling.h"
+#include "remesh/polygons/convex_pieces.h"
 #include "remesh/polygons/polygon_edges.h"
 #include "remesh/polygons/subdivision_step.h"
 
@@ -20,12 +19,12 @@ struct PartQuad {
 };
 
 /// Divides every polygon at points in the middle of its sides: around its middle, into as many quads as it
-/// has corners, or by a grid (see `needsGrid`). Points are numbered: vertices, edges, then those inside of
+/// has corners, or by its grid. Points are numbered: vertices, edges, then those inside of
 /// polygons.
 class QuadDivision {
 public:
-    /// \param soup  must outlive the division
-    QuadDivision(const Soup& soup, const PolygonEdges& edges);
+    /// Both arguments must outlive the division.
+    QuadDivision(const ConvexPieces& pieces, const PolygonEdges& edges);
 
     [[nodiscard]] const std::vector<PartQuad>& quads() const { return quads_; }
     [[nodiscard]] std::vector<Point> pointsOf(StepPoints points) const;
@@ -33,12 +32,12 @@ public:
 private:
     [[nodiscard]] std::vector<std::size_t> rimOf(std::size_t face) const;
     void divideAroundMiddle(std::size_t face);
-    void divideByGrid(std::size_t face, GridFilling filling);
+    void divideByGrid(std::size_t face, const GridFilling& filling);
 
     const Soup& soup_;
+    const std::map<std::size_t, GridFilling>& grids_; ///< by face
     const PolygonEdges& edges_;
     std::size_t pointCount_;
-    std::map<std::size_t, GridFilling> grids_; ///< by face
     std::vector<PartQuad> quads_;
 };
 

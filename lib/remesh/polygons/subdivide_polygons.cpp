@@ -52,12 +52,13 @@ void straighten(std::vector<Point>& points, const std::vector<Point>& straight, 
 } // namespace
 
 Soup subdividePolygons(const Soup& soup, double rho) {
-    const Soup convex = convexPieces(soup);
+    const ConvexPieces pieces = convexPieces(soup);
+    const Soup& convex = pieces.soup;
     if (convex.faceCount() == 0)
         throw Error("", "none of its faces has three different corners", "Use another copy of the file");
     const PolygonEdges edges = polygonEdges(convex, rho);
     const SubdivisionStep step(convex, edges);
-    const QuadDivision division(convex, edges);
+    const QuadDivision division(pieces, edges);
     Soup result;
     result.points = division.pointsOf(step.through(convex.points));
     straighten(result.points, division.pointsOf(step.straight(convex.points)), convex, division.quads());
