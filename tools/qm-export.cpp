@@ -4,8 +4,6 @@
 #include "cli/tools/export_choices.h"
 #include "cli/tools/export_date.h"
 
-#include <filesystem>
-
 int main(int argc, char** argv) {
     qm::ExportOptions options;
     std::string date;
@@ -45,8 +43,7 @@ int main(int argc, char** argv) {
             return [&tool, &options, &date, stage] {
                 const qm::Model& model = stage->read(qm::neededKind(options));
                 tool.protectInput();
-                if (options.name.empty())
-                    options.name = std::filesystem::path(model.meshPath).stem().string();
+                if (options.name.empty()) options.name = qm::productName(model.meshPath);
                 if (!date.empty()) options.date = qm::exportDate(date, model.meshPath);
                 const qm::Exported result =
                     qm::exportModel(model.mesh, *model.layout, qm::orNull(model.surfaces), options);

@@ -211,6 +211,12 @@ PRODUCT('two 2'"
     misused qm-export --name bolt "$(stage layout block)" -o part.obj
 }
 
+@test "a product has a name also where that of the mesh's file is not UTF-8" {
+    cp "$(sample block)" $'bl\xffck.obj'
+    quietly qm-export --mesh $'bl\xffck.obj' "$(stage surfaces block)" -o part.step
+    grep -q "^FILE_NAME('bl?ck'" part.step
+}
+
 @test "files have the date that is asked for, and none of their own" {
     quietly qm-export --date 2026-11-22 "$(stage surfaces block)" -o part.step
     grep -q "^FILE_NAME('block','2026-11-22T00:00:00'" part.step

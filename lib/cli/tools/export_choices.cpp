@@ -9,6 +9,7 @@
 #include "mesh/bounding_box.h"
 #include "summary/figure_text.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -63,6 +64,14 @@ void declareChecks(Tool& tool, ExportOptions& options, const NamedFormat& format
         options.format = exportFormat(format, tool.outputPath());
         verifyNameAndDate(options.name, date);
     });
+}
+
+std::string productName(const std::string& meshPath) {
+    std::string name = std::filesystem::path(meshPath).stem().string();
+    if (!isUtf8(name))
+        std::ranges::replace_if(
+            name, [](char letter) { return static_cast<unsigned char>(letter) > '~'; }, '?');
+    return name;
 }
 
 Kind neededKind(const ExportOptions& options) {

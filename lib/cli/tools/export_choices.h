@@ -45,6 +45,10 @@ template <> struct Choices<ColourBy> {
 /// \param date  empty, or see `exportDate` (cli/tools/export_date.h)
 void declareChecks(Tool& tool, ExportOptions& options, const NamedFormat& format, const std::string& date);
 
+/// The name of a product that has none of its own: that of the mesh's file, without its ending, and with ? in
+/// the place of bytes that are no UTF-8.
+[[nodiscard]] std::string productName(const std::string& meshPath);
+
 /// The kind that a document must have. Quads need no surfaces, unless these determine their colours.
 [[nodiscard]] Kind neededKind(const ExportOptions& options);
 
