@@ -12,7 +12,8 @@ namespace qm {
 namespace {
 
 constexpr std::size_t minCorners = 8, maxCorners = 128;
-constexpr double minTurn = std::numbers::pi / 6;
+/// A little more than that of a regular polygon of twelve corners, so that rounding does not count.
+constexpr double maxTurn = std::numbers::pi / 6 + 1e-9;
 
 /// The rim point at the first corner of a grid whose sides have a and b quads, by turns.
 std::size_t startOfGrid(const std::vector<PlanarPoint>& corners, std::size_t a, std::size_t b) {
@@ -37,7 +38,7 @@ std::size_t startOfGrid(const std::vector<PlanarPoint>& corners, std::size_t a, 
 
 bool needsGrid(const std::vector<PlanarPoint>& corners) {
     return corners.size() >= minCorners && corners.size() <= maxCorners && isConvex(corners) &&
-           std::ranges::min(turnsOf(corners)) < minTurn;
+           std::ranges::min(turnsOf(corners)) < maxTurn;
 }
 
 GridFilling gridFilling(const std::vector<PlanarPoint>& corners) {

@@ -16,7 +16,7 @@ struct GridFilling {
 };
 
 /// Whether a polygon should be filled so, and not be divided around its middle: it has at least 8 corners and
-/// at most 128, is convex, and turns at some corner by less than 30 degrees, where only one quad would be.
+/// at most 128, is convex, and turns at some corner by at most 30 degrees, where only one quad would be.
 [[nodiscard]] bool needsGrid(const std::vector<PlanarPoint>& corners);
 
 /// A ring of quads along the rim, so that two meet at each of its points, and inside a grid, the four corners
