@@ -5,6 +5,7 @@
 #include "layout/grid.h"
 #include "layout/seed_line.h"
 #include "layout/tracks.h"
+#include "mesh/quad_geometry.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -150,25 +151,18 @@ std::vector<bool> cornerMarks(const QuadMesh& mesh, const Layout& layout) {
 }
 
 std::vector<VertexId> vertexGrid(const QuadMesh& mesh, const Segment& segment) {
-    const std::size_t columns = at(segment.size[0]), rows = at(segment.size[1]);
-    std::vector<VertexId> grid((columns + 1) * (rows + 1));
-    HalfedgeId rowStart = mesh.halfedge_handle(segment.faces.front());
-    while (mesh.from_vertex_handle(rowStart) != segment.sides[0][0] ||
-           mesh.to_vertex_handle(rowStart) != segment.sides[0][1])
-        rowStart = mesh.next_halfedge_handle(rowStart);
-    for (std::size_t j = 0; j < rows; ++j) {
-        HalfedgeId bottom = rowStart;
+    const std::size_t columns = at(segment.size[0]), rows = at(segment.size[1]), width = columns + 1;
+    std::vector<VertexId> grid(width * (rows + 1));
+    grid[0] = segment.corners[0];
+    for (std::size_t j = 0; j < rows; ++j)
         for (std::size_t i = 0; i < columns; ++i) {
-            const HalfedgeId right = mesh.next_halfedge_handle(bottom),
-                             top = mesh.next_halfedge_handle(right);
-            grid[j * (columns + 1) + i] = mesh.from_vertex_handle(bottom);
-            grid[j * (columns + 1) + i + 1] = mesh.to_vertex_handle(bottom);
-            grid[(j + 1) * (columns + 1) + i] = mesh.to_vertex_handle(top);
-            grid[(j + 1) * (columns + 1) + i + 1] = mesh.from_vertex_handle(top);
-            if (i + 1 < columns) bottom = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(right));
+            const std::size_t first = j * width + i; // known from the faces before
+            auto corners = cornersOf(mesh, segment.faces[j * columns + i]);
+            std::rotate(corners.begin(), std::ranges::find(corners, grid[first]), corners.end());
+            grid[first + 1] = corners[1];
+            grid[first + width + 1] = corners[2];
+            grid[first + width] = corners[3];
         }
-        if (j + 1 < rows) rowStart = acrossQuad(mesh, rowStart);
-    }
     return grid;
 }
 

@@ -24,31 +24,26 @@ public:
 
 private:
     void divide(const std::array<int, 4>& quad) {
-        const auto [a, b, c, d] = quad;
+        const int a = quad[0], b = quad[1], c = quad[2], d = quad[3];
         const int columns = parts(a, b), rows = parts(b, c);
-        const std::size_t width = at(columns) + 1;
-        std::vector<int> grid(width * (at(rows) + 1));
-        const auto vertexAt = [&](int i, int j) -> int& { return grid[at(j) * width + at(i)]; };
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(d, c), std::pair(a, d)})
             (void)onEdge(from, to, 1);
-        for (int i = 0; i <= columns; ++i) {
-            vertexAt(i, 0) = onEdge(a, b, i);
-            vertexAt(i, rows) = onEdge(d, c, i);
-        }
-        for (int j = 0; j <= rows; ++j) {
-            vertexAt(0, j) = onEdge(a, d, j);
-            vertexAt(columns, j) = onEdge(b, c, j);
-        }
+        const int firstInside = static_cast<int>(fine_.points.size());
         for (int j = 1; j < rows; ++j)
-            for (int i = 1; i < columns; ++i) {
-                vertexAt(i, j) = static_cast<int>(fine_.points.size());
+            for (int i = 1; i < columns; ++i)
                 fine_.points.push_back(between(between(point(a), point(b), i, columns),
                                                between(point(d), point(c), i, columns), j, rows));
-            }
+        const auto vertex = [&](int i, int j) {
+            if (j == 0) return onEdge(a, b, i);
+            if (j == rows) return onEdge(d, c, i);
+            if (i == 0) return onEdge(a, d, j);
+            if (i == columns) return onEdge(b, c, j);
+            return firstInside + (j - 1) * (columns - 1) + i - 1;
+        };
         for (int j = 0; j < rows; ++j)
             for (int i = 0; i < columns; ++i)
                 fine_.quads.push_back(
-                    {vertexAt(i, j), vertexAt(i + 1, j), vertexAt(i + 1, j + 1), vertexAt(i, j + 1)});
+                    {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
     }
 
     [[nodiscard]] const Point& point(int k) const { return coarse_.points[at(k)]; }
