@@ -7,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 namespace qm {
@@ -16,38 +15,12 @@ namespace {
 /// Reads one number after another, in the format given by the header.
 class Values {
 public:
-    virtual ~Values() = default;
+    /// \param lines  at the beginning of the body
+    Values(TextLines& lines, PlyFormat format) : lines_(lines), bytes_(lines.rest()), format_(format) {}
+
     /// The next number; nothing at the end of the file.
-    virtual std::optional<double> next(PlyType type) = 0;
-    /// Whether only white space is left.
-    virtual bool atEnd() = 0;
-    /// The number of the present line; 0 in binary files.
-    [[nodiscard]] virtual std::uint32_t line() const { return 0; }
-};
-
-class TextValues : public Values {
-public:
-    explicit TextValues(TextLines& lines) : lines_(lines) {}
-
-    std::optional<double> next(PlyType) override {
-        const std::string_view word = lines_.wordAnywhere();
-        if (word.empty()) return std::nullopt;
-        const auto value = readFileNumber<double>(word);
-        if (!value) throw Error(lines_.place(), inQuotes(word) + " is no number", "Correct the line");
-        return value;
-    }
-    bool atEnd() override { return lines_.wordAnywhere().empty(); }
-    [[nodiscard]] std::uint32_t line() const override { return lines_.lineNumber(); }
-
-private:
-    TextLines& lines_;
-};
-
-class BinaryValues : public Values {
-public:
-    BinaryValues(std::string_view bytes, std::endian order) : bytes_(bytes), order_(order) {}
-
-    std::optional<double> next(PlyType type) override {
+    std::optional<double> next(PlyType type) {
+        if (isText()) return nextWord();
         switch (type) {
         case PlyType::int8:
             return take<std::int8_t>();
@@ -68,24 +41,45 @@ public:
         }
         return std::nullopt;
     }
-    bool atEnd() override { return bytes_.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
+    /// Whether only white space is left.
+    bool atEnd() {
+        return isText() ? lines_.wordAnywhere().empty()
+                        : bytes_.find_first_not_of(" \t\r\n") == std::string_view::npos;
+    }
+
+    /// The number of the present line; 0 in binary files.
+    [[nodiscard]] std::uint32_t line() const { return isText() ? lines_.lineNumber() : 0; }
 
 private:
+    [[nodiscard]] bool isText() const { return format_ == PlyFormat::ascii; }
+
+    std::optional<double> nextWord() {
+        const std::string_view word = lines_.wordAnywhere();
+        if (word.empty()) return std::nullopt;
+        const auto value = readFileNumber<double>(word);
+        if (!value) throw Error(lines_.place(), inQuotes(word) + " is no number", "Correct the line");
+        return value;
+    }
+
     template <class Number> std::optional<double> take() {
         if (bytes_.size() < sizeof(Number)) return std::nullopt;
-        const auto number = numberFrom<Number>(bytes_, order_);
+        const bool isLittle = format_ == PlyFormat::littleEndian;
+        const auto number = numberFrom<Number>(bytes_, isLittle ? std::endian::little : std::endian::big);
         bytes_.remove_prefix(sizeof(Number));
         return static_cast<double>(number);
     }
 
-    std::string_view bytes_;
-    std::endian order_;
+    TextLines& lines_;
+    std::string_view bytes_; ///< that are left of a binary file
+    PlyFormat format_;
 };
 
 class PlyReader {
 public:
     explicit PlyReader(std::string_view bytes)
-        : size_(bytes.size()), lines_(bytes), header_(readPlyHeader(lines_)), values_(openBody()) {}
+        : size_(bytes.size()), lines_(bytes), header_(readPlyHeader(lines_)),
+          values_(lines_, header_.format) {}
 
     Soup read() {
         for (const PlyElement& element : header_.elements) {
@@ -94,26 +88,20 @@ public:
             for (std::size_t k = 0; k < element.count; ++k) {
                 const Point point = readElement(element, k);
                 if (vertex) addPoint(point);
-                if (face) soup_.endFace(values_->line());
+                if (face) soup_.endFace(values_.line());
             }
         }
-        if (!values_->atEnd())
-            throw Error(values_->line() > 0 ? lines_.place() : "",
+        if (!values_.atEnd())
+            throw Error(values_.line() > 0 ? lines_.place() : "",
                         "the file goes on after the elements that its header announces",
                         "Correct the counts and properties in the header");
         return std::move(soup_);
     }
 
 private:
-    std::unique_ptr<Values> openBody() {
-        if (header_.format == PlyFormat::ascii) return std::make_unique<TextValues>(lines_);
-        const bool little = header_.format == PlyFormat::littleEndian;
-        return std::make_unique<BinaryValues>(lines_.rest(), little ? std::endian::little : std::endian::big);
-    }
-
     void addPoint(const Point& point) {
         soup_.points.push_back(point);
-        if (values_->line() > 0) soup_.pointLines.push_back(values_->line());
+        if (values_.line() > 0) soup_.pointLines.push_back(values_.line());
     }
 
     /// \return the point, if the element is a vertex; corners are added to the soup
@@ -157,13 +145,13 @@ private:
             const bool isTurned = strip_.length % 2 == 1;
             soup_.corners.insert(soup_.corners.end(),
                                  {isTurned ? second : first, isTurned ? first : second, corner});
-            soup_.endFace(values_->line());
+            soup_.endFace(values_.line());
         }
         strip_ = {{strip_.last[1], corner}, strip_.length + 1};
     }
 
     double next(const PlyElement& element, std::size_t k, PlyType type) {
-        const auto value = values_->next(type);
+        const auto value = values_.next(type);
         if (!value)
             throw Error(placeOf(element, k),
                         "the file ends there, its header announces " + std::to_string(element.count),
@@ -179,14 +167,14 @@ private:
     }
 
     [[nodiscard]] std::string placeOf(const PlyElement& element, std::size_t k) const {
-        const std::string line = values_->line() > 0 ? " (line " + std::to_string(values_->line()) + ")" : "";
+        const std::string line = values_.line() > 0 ? " (line " + std::to_string(values_.line()) + ")" : "";
         return element.name + " " + std::to_string(k) + line;
     }
 
     std::size_t size_;
     TextLines lines_;
     PlyHeader header_;
-    std::unique_ptr<Values> values_;
+    Values values_;
     Soup soup_;
     struct Strip {
         std::array<std::int64_t, 2> last{};
