@@ -1,7 +1,6 @@
 #include "mesh/files/ply_header.h"
 
 #include "base/at.h"
-#include "base/error.h"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +34,7 @@ private:
     static constexpr const char* correct = "Correct the header";
 
     [[noreturn]] void fail(const std::string& what, const char* remedy = correct) const {
-        throw Error(lines_.place(), what, remedy);
+        lines_.fail(what, remedy);
     }
 
     void readFormat() {

@@ -33,8 +33,7 @@ private:
             const std::string_view word = lines_.word();
             const auto value = readFileNumber<double>(word);
             if (!value)
-                throw Error(lines_.place(),
-                            "vertex " + std::to_string(soup_.points.size()) +
+                lines_.fail("vertex " + std::to_string(soup_.points.size()) +
                                 (word.empty() ? " has fewer than three coordinates"
                                               : ": " + inQuotes(word) + " is no number"),
                             lines_.unfinished() ? cutOffHint : "Correct the line");
@@ -62,17 +61,14 @@ private:
     std::int64_t cornerOf(std::string_view word) const {
         const auto index = readFileNumber<std::int64_t>(word.substr(0, word.find('/')));
         if (!index || *index == 0)
-            throw Error(lines_.place(),
-                        "face " + std::to_string(soup_.faceCount()) + ": " + inQuotes(word) +
+            lines_.fail("face " + std::to_string(soup_.faceCount()) + ": " + inQuotes(word) +
                             " is no vertex index",
                         lines_.unfinished() ? cutOffHint : "Correct the line; indices count from 1");
         const auto points = static_cast<std::int64_t>(soup_.points.size());
         if (*index < -points)
-            throw Error(lines_.place(),
-                        "face " + std::to_string(soup_.faceCount()) + ": vertex index " +
-                            std::to_string(*index) + " is out of range: there are " + std::to_string(points) +
-                            " vertices before it",
-                        "Correct the line");
+            lines_.fail("face " + std::to_string(soup_.faceCount()) + ": vertex index " +
+                        std::to_string(*index) + " is out of range: there are " + std::to_string(points) +
+                        " vertices before it");
         return *index > 0 ? *index - 1 : points + *index;
     }
 
@@ -90,8 +86,8 @@ Soup readObj(std::string_view text, std::size_t sides) {
         TextLines lines(text.substr(0, zero + 1));
         while (lines.nextLine()) {
         }
-        throw Error(lines.place(), "it holds a zero byte, as no text does",
-                    "The file seems to be damaged, or is in UTF-16. Use another copy, or save it as UTF-8");
+        lines.fail("it holds a zero byte, as no text does",
+                   "The file seems to be damaged, or is in UTF-16. Use another copy, or save it as UTF-8");
     }
     return ObjReader(text, sides).read();
 }

@@ -1,5 +1,4 @@
 #include "base/at.h"
-#include "base/error.h"
 #include "base/number_text.h"
 #include "mesh/files/text_lines.h"
 #include "mesh/soup/soup.h"
@@ -44,13 +43,12 @@ private:
             pendingCount_ = word;
             return;
         }
-        if (!word.ends_with("OFF"))
-            throw Error(lines_.place(), "it does not begin with OFF", "Is it another format?");
+        if (!word.ends_with("OFF")) lines_.fail("it does not begin with OFF", "Is it another format?");
         if (word.find_first_of("4n") != std::string_view::npos)
-            throw Error(lines_.place(), "points of " + inQuotes(word) + " are not in three dimensions",
+            lines_.fail("points of " + inQuotes(word) + " are not in three dimensions",
                         "Write a plain OFF file");
         if (const std::string_view next = lines_.word(); next == "BINARY")
-            throw Error(lines_.place(), "binary OFF is not understood", "Write it as text, or as binary PLY");
+            lines_.fail("binary OFF is not understood", "Write it as text, or as binary PLY");
         else if (!next.empty())
             pendingCount_ = next;
     }
@@ -59,15 +57,13 @@ private:
         const std::string_view word =
             pendingCount_.empty() ? lines_.wordAnywhere() : std::exchange(pendingCount_, {});
         const auto count = readFileNumber<std::int64_t>(word);
-        if (!count || *count < 0)
-            throw Error(lines_.place(), "the number of " + what + " is missing", "Correct the header");
+        if (!count || *count < 0) lines_.fail("the number of " + what + " is missing", "Correct the header");
         return at(*count);
     }
 
     /// \param found  the elements before it, with their number
     [[noreturn]] void cutOff(const std::string& found, std::size_t announced) const {
-        throw Error(lines_.place(),
-                    "the file ends after " + found + ", its header says " + std::to_string(announced),
+        lines_.fail("the file ends after " + found + ", its header says " + std::to_string(announced),
                     cutOffHint);
     }
 
@@ -84,10 +80,8 @@ private:
             if (word.empty()) cutOff(countText(soup_.points.size(), "vertex", "vertices"), announced);
             const auto value = readFileNumber<double>(word);
             if (!value)
-                throw Error(lines_.place(),
-                            "vertex " + std::to_string(soup_.points.size()) + ": " + inQuotes(word) +
-                                " is no number",
-                            "Correct the line");
+                lines_.fail("vertex " + std::to_string(soup_.points.size()) + ": " + inQuotes(word) +
+                            " is no number");
             point[k] = *value;
         }
         soup_.points.push_back(point);
@@ -99,9 +93,7 @@ private:
         const std::int64_t count = readIndex(announced);
         const std::uint32_t line = lines_.lineNumber();
         if (count < 0 || at(count) > size_)
-            throw Error(lines_.place(),
-                        "face " + std::to_string(soup_.faceCount()) + " cannot have that many vertices",
-                        "Correct the line");
+            lines_.fail("face " + std::to_string(soup_.faceCount()) + " cannot have that many vertices");
         for (std::int64_t k = 0; k < count; ++k)
             soup_.corners.push_back(readIndex(announced));
         soup_.endFace(line);
@@ -112,10 +104,8 @@ private:
         if (word.empty()) cutOff(countText(soup_.faceCount(), "face"), announced);
         const auto index = readFileNumber<std::int64_t>(word);
         if (!index)
-            throw Error(lines_.place(),
-                        "face " + std::to_string(soup_.faceCount()) + ": " + inQuotes(word) +
-                            " is no whole number",
-                        "Correct the line");
+            lines_.fail("face " + std::to_string(soup_.faceCount()) + ": " + inQuotes(word) +
+                        " is no whole number");
         return *index;
     }
 
@@ -123,8 +113,7 @@ private:
     void checkEnd(std::size_t announced) {
         beginElement();
         if (!lines_.wordAnywhere().empty())
-            throw Error(lines_.place(),
-                        "the file goes on after the " + countText(announced, "face") +
+            lines_.fail("the file goes on after the " + countText(announced, "face") +
                             " that its header announces",
                         "Correct the counts in the header");
     }

@@ -58,7 +58,7 @@ private:
         const std::string_view word = lines_.wordAnywhere();
         if (word.empty()) return std::nullopt;
         const auto value = readFileNumber<double>(word);
-        if (!value) throw Error(lines_.place(), inQuotes(word) + " is no number", "Correct the line");
+        if (!value) lines_.fail(inQuotes(word) + " is no number");
         return value;
     }
 

@@ -105,8 +105,8 @@ private:
 
     [[noreturn]] void fail(std::string_view found, std::string_view wanted) const {
         const std::string what = "expected " + std::string(wanted) + ", ";
-        if (found.empty()) throw Error(lines_.place(), what + "but the file ends", cutOffHint);
-        throw Error(lines_.place(), what + "found " + inQuotes(found),
+        if (found.empty()) lines_.fail(what + "but the file ends", cutOffHint);
+        lines_.fail(what + "found " + inQuotes(found),
                     lines_.unfinished() ? cutOffHint : "Correct the line, or use another copy of the file");
     }
 

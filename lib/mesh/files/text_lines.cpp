@@ -1,8 +1,14 @@
 #include "mesh/files/text_lines.h"
 
+#include "base/error.h"
+
 #include <algorithm>
 
 namespace qm {
+
+void TextLines::fail(const std::string& what, const char* remedy) const {
+    throw Error(place(), what, remedy);
+}
 
 bool isTiny(std::string_view number) {
     const std::size_t mark = std::min(number.find_first_of("eE"), number.size());

@@ -65,6 +65,8 @@ public:
 
     [[nodiscard]] std::uint32_t lineNumber() const { return number_; }
     [[nodiscard]] std::string place() const { return "line " + std::to_string(number_); }
+    /// Throws an Error at this line.
+    [[noreturn]] void fail(const std::string& what, const char* remedy = "Correct the line") const;
     /// Whether this is the last line and has no line end.
     [[nodiscard]] bool unfinished() const { return unfinished_; }
     /// The text after this line.

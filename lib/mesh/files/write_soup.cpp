@@ -139,10 +139,8 @@ Soup soupOf(const QuadMesh& mesh) {
 Soup soupOf(const Triangles& triangles) {
     Soup soup;
     soup.points = triangles.points;
-    for (const auto& face : triangles.faces) {
-        soup.corners.insert(soup.corners.end(), face.begin(), face.end());
-        soup.endFace(0);
-    }
+    for (const auto& face : triangles.faces)
+        soup.addFace(face);
     return soup;
 }
 

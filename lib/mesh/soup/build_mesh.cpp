@@ -61,10 +61,8 @@ QuadMesh buildMesh(const Soup& soup) {
 QuadMesh buildMesh(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads) {
     Soup soup;
     soup.points = points;
-    for (const auto& quad : quads) {
-        soup.corners.insert(soup.corners.end(), quad.begin(), quad.end());
-        soup.endFace(0);
-    }
+    for (const auto& quad : quads)
+        soup.addFace(quad);
     return buildMesh(soup);
 }
 

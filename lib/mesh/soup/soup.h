@@ -33,6 +33,12 @@ struct Soup {
     /// Makes the corners that were added since the last polygon a new one.
     /// \param line  0 if there are no lines
     void endFace(std::uint32_t line);
+    /// Adds a polygon that has no line.
+    /// \param added  whole numbers, the indices of its vertices
+    template <class Corners> void addFace(const Corners& added) {
+        corners.insert(corners.end(), added.begin(), added.end());
+        endFace(0);
+    }
 
     /// The number of a point in the file.
     [[nodiscard]] std::size_t pointNumber(std::size_t k) const;

@@ -13,7 +13,6 @@
 #include <numbers>
 #include <numeric>
 #include <set>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -60,9 +59,7 @@ Soup withoutRepetitions(const Soup& soup) {
             if (kept.empty() || kept.back() != corner) kept.push_back(corner);
         while (kept.size() > 1 && kept.front() == kept.back())
             kept.pop_back();
-        if (kept.size() < 3) continue;
-        result.corners.insert(result.corners.end(), kept.begin(), kept.end());
-        result.endFace(0);
+        if (kept.size() >= 3) result.addFace(kept);
     }
     return result;
 }
@@ -112,10 +109,6 @@ ConvexPieces convexPieces(const Soup& given) {
     ConvexPieces pieces;
     Soup& result = pieces.soup;
     result.points = soup.points;
-    const auto add = [&](std::span<const std::int64_t> corners) {
-        result.corners.insert(result.corners.end(), corners.begin(), corners.end());
-        result.endFace(0);
-    };
     std::vector<std::int64_t> piece;
     for (std::size_t face = 0; face < soup.faceCount(); ++face) {
         const auto corners = soup.face(face);
@@ -125,7 +118,7 @@ ConvexPieces convexPieces(const Soup& given) {
         const bool isGrid = needsGrid(places);
         if (isGrid) pieces.grids.emplace(result.faceCount(), gridFilling(places));
         if (isGrid || !hasArea || isSeenFromItsMiddle(places)) {
-            add(corners);
+            result.addFace(corners);
             continue;
         }
         const auto mayConnect = [&](std::size_t a, std::size_t b) {
@@ -136,7 +129,7 @@ ConvexPieces convexPieces(const Soup& given) {
             piece.clear();
             for (const std::size_t k : chosen)
                 piece.push_back(corners[k]);
-            add(piece);
+            result.addFace(piece);
             for (std::size_t k = 0; k < piece.size() && divided.size() > 1; ++k)
                 sides.add(piece[k], piece[(k + 1) % piece.size()]);
         }

@@ -62,10 +62,8 @@ Soup subdividePolygons(const Soup& soup, double rho) {
     Soup result;
     result.points = division.pointsOf(step.through(convex.points));
     straighten(result.points, division.pointsOf(step.straight(convex.points)), convex, division.quads());
-    for (const PartQuad& quad : division.quads()) {
-        result.corners.insert(result.corners.end(), quad.points.begin(), quad.points.end());
-        result.endFace(0);
-    }
+    for (const PartQuad& quad : division.quads())
+        result.addFace(quad.points);
     return result;
 }
 
