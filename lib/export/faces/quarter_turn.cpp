@@ -1,6 +1,8 @@
 #include "base/at.h"
+#include "bspline/splines/clamped_patch.h"
 #include "export/faces/face_patches.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 
@@ -28,18 +30,14 @@ Segment quarterTurned(const Segment& segment) {
 }
 
 Patch quarterTurned(const Patch& patch) {
-    Patch result = patch;
-    const auto [columns, rows] = patch.count;
-    result.count = {rows, columns};
-    result.degree = {patch.degree[1], patch.degree[0]};
-    result.knots[0] = patch.knots[1];
-    result.knots[1].assign(patch.knots[0].rbegin(), patch.knots[0].rend());
-    for (double& knot : result.knots[1])
+    Patch result = transposed(patch); // and then its rows in the opposite order
+    std::vector<double>& knots = result.knots[1];
+    std::ranges::reverse(knots);
+    for (double& knot : knots)
         knot = patch.knots[0].back() - knot;
-    result.controlPoints.clear();
-    for (int j = 0; j < columns; ++j)
-        for (int i = 0; i < rows; ++i)
-            result.controlPoints.push_back(patch.controlPoints[at(i * columns + columns - 1 - j)]);
+    std::ranges::reverse(result.controlPoints);
+    for (auto row = result.controlPoints.begin(); row != result.controlPoints.end(); row += result.count[0])
+        std::reverse(row, row + result.count[0]);
     return result;
 }
 

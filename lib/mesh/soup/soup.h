@@ -52,7 +52,7 @@ struct Soup {
 /// understood; other statements are ignored.
 /// \param sides  a face at the end of the text with fewer sides, and fewer than the one before it, counts as
 /// truncated
-/// \throw Error  with the line, if the text is no OBJ or is truncated
+/// \throw Error  with the line, if the text is no OBJ, is truncated or holds zero bytes
 [[nodiscard]] Soup readObj(std::string_view text, std::size_t sides);
 
 /// Reads OFF. Colours and normals are ignored, and a face may extend over several lines.
