@@ -27,19 +27,13 @@ double ColumnState::rowLower(RowId row) const {
 }
 
 ColumnState::Mark ColumnState::mark() const {
-    return {arcs_.mark(), columnTrail_.size(), demandTrail_.size()};
+    return {arcs_.mark(), columns_.given().size(), demanded_.given().size()};
 }
 
 void ColumnState::undo(const Mark& mark) {
     arcs_.undo(mark.arcs);
-    while (columnTrail_.size() > mark.columns) {
-        columns_[columnTrail_.back()] = ArcState::free;
-        columnTrail_.pop_back();
-    }
-    while (demandTrail_.size() > mark.demands) {
-        demanded_[demandTrail_.back()] = false;
-        demandTrail_.pop_back();
-    }
+    columns_.undo(mark.columns);
+    demanded_.undo(mark.demands);
     seen_ = mark.arcs;
     propagated_ = told_ = mark.columns;
     demandsSeen_ = mark.demands;
@@ -58,11 +52,7 @@ bool ColumnState::fixColumn(ColumnId column, ArcState value) {
 }
 
 bool ColumnState::set(ColumnId column, ArcState value) {
-    ArcState& current = columns_[column];
-    if (current != ArcState::free) return current == value;
-    current = value;
-    columnTrail_.push_back(column);
-    return true;
+    return columns_.give(column, value) || columns_[column] == value;
 }
 
 bool ColumnState::settle() {
@@ -84,15 +74,13 @@ bool ColumnState::arcsToColumns() {
 
 /// Visits the rows that are demanded, or have columns with values, since the last time.
 bool ColumnState::rowsToColumns() {
-    while (propagated_ < columnTrail_.size() || demandsSeen_ < demandTrail_.size()) {
-        if (demandsSeen_ < demandTrail_.size()) {
-            if (!visitRow(demandTrail_[demandsSeen_++])) return false;
-            continue;
-        }
-        for (const RowId row : rowsOf_[columnTrail_[propagated_++]])
+    for (;;) {
+        while (demandsSeen_ < demanded_.given().size())
+            if (!visitRow(demanded_.given()[demandsSeen_++])) return false;
+        if (propagated_ == columns_.given().size()) return true;
+        for (const RowId row : rowsOf_[columns_.given()[propagated_++]])
             if (!visitRow(row)) return false;
     }
-    return true;
 }
 
 /// Passes the value of a variable on to its columns, or demands that it be covered.
@@ -100,8 +88,7 @@ bool ColumnState::passOn(VariableId variable) {
     const auto [fromBefore, fromAfter, cover] = formulation_.columnsOf[variable];
     const ArcState value = arcs_.value(variable);
     if (cover.valid() && value == ArcState::in) {
-        if (!demanded_[cover]) demandTrail_.push_back(cover);
-        demanded_[cover] = true;
+        demanded_.give(cover, true);
         return true;
     }
     for (const ColumnId column : {fromBefore, fromAfter})
@@ -110,8 +97,8 @@ bool ColumnState::passOn(VariableId variable) {
 }
 
 bool ColumnState::columnsToArcs() {
-    while (told_ < columnTrail_.size()) {
-        const ColumnId column = columnTrail_[told_++];
+    while (told_ < columns_.given().size()) {
+        const ColumnId column = columns_.given()[told_++];
         const VariableId variable = formulation_.variableOf[column];
         if (!variable.valid()) continue; // its value follows from the variables
         const auto [fromBefore, fromAfter, cover] = formulation_.columnsOf[variable];

@@ -3,6 +3,7 @@
 
 #include "enumerate/relaxation/formulation.h"
 #include "enumerate/state/search_state.h"
+#include "enumerate/state/values_with_undo.h"
 
 #include <vector>
 
@@ -57,12 +58,10 @@ private:
 
     SearchState& arcs_;
     const Formulation& formulation_;
-    IdVector<ColumnId, ArcState> columns_;
-    IdVector<RowId, bool> demanded_; ///< rows p + s <= 1 of variables that are in
+    ValuesWithUndo<ColumnId, ArcState> columns_;
+    ValuesWithUndo<RowId, bool> demanded_; ///< rows p + s <= 1 of variables that are in
     const IdVector<ColumnId, std::vector<RowId>> rowsOf_;
-    std::vector<ColumnId> columnTrail_;
-    std::vector<RowId> demandTrail_;
-    // Up to where each trail has been followed: the consequences of everything before have been drawn.
+    // Up to where what is given has been followed: the consequences of everything before have been drawn.
     SearchState::Mark seen_;      ///< assigned variables, passed on to their columns
     std::size_t propagated_ = 0;  ///< columns, passed on to the rows that contain them
     std::size_t told_ = 0;        ///< columns, passed on to their variables

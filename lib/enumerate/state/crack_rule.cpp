@@ -54,8 +54,7 @@ bool CrackRule::visitCrossing(CrossingId id) {
                 return lines_.cover(problem_.nodes[crossing.sides[1 - k].node].chain);
         }
     if (cover[0] == Cover::open || cover[1] == Cover::open) return true;
-    counted_[id] = true;
-    countedTrail_.push_back(id);
+    counted_.give(id, true);
     const CrackNodeId a = crossing.sides[cover[0] == Cover::full ? 0 : 1].node;
     const CrackNodeId b = crossing.sides[cover[1] == Cover::full ? 1 : 0].node;
     return forest_.cross(a, b);
@@ -63,22 +62,14 @@ bool CrackRule::visitCrossing(CrossingId id) {
 
 bool CrackRule::visitCovered(ChainId chain) {
     const CrackNodeId node = nodeOfChain_[chain];
-    if (!node.valid() || visited_[node]) return true;
-    visited_[node] = true;
-    visitedTrail_.push_back(node);
+    if (!node.valid() || !visited_.give(node, true)) return true;
     return std::ranges::all_of(crossingsOfNode_[node],
                                [this](CrossingId crossing) { return visitCrossing(crossing); });
 }
 
 void CrackRule::undo(const Mark& mark) {
-    while (countedTrail_.size() > mark.counted) {
-        counted_[countedTrail_.back()] = false;
-        countedTrail_.pop_back();
-    }
-    while (visitedTrail_.size() > mark.visited) {
-        visited_[visitedTrail_.back()] = false;
-        visitedTrail_.pop_back();
-    }
+    counted_.undo(mark.counted);
+    visited_.undo(mark.visited);
     forest_.undo(mark.changes);
 }
 

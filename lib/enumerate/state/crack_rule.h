@@ -3,6 +3,7 @@
 
 #include "enumerate/state/crack_forest.h"
 #include "enumerate/state/line_rule.h"
+#include "enumerate/state/values_with_undo.h"
 
 #include <vector>
 
@@ -48,7 +49,7 @@ public:
         std::size_t changes = 0;
     };
     [[nodiscard]] Mark mark() const {
-        return {countedTrail_.size(), visitedTrail_.size(), forest_.changes()};
+        return {counted_.given().size(), visited_.given().size(), forest_.changes()};
     }
     void undo(const Mark& mark);
 
@@ -60,10 +61,8 @@ private:
     LineRule& lines_;
     IdVector<ChainId, CrackNodeId> nodeOfChain_;
     IdVector<CrackNodeId, std::vector<CrossingId>> crossingsOfNode_;
-    IdVector<CrossingId, bool> counted_; ///< crossings that are in the forest
-    std::vector<CrossingId> countedTrail_;
-    IdVector<CrackNodeId, bool> visited_; ///< nodes whose crossings `visitCovered` has visited
-    std::vector<CrackNodeId> visitedTrail_;
+    ValuesWithUndo<CrossingId, bool> counted_;  ///< crossings that are in the forest
+    ValuesWithUndo<CrackNodeId, bool> visited_; ///< nodes whose crossings `visitCovered` has visited
     CrackForest forest_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace qm {
+
 bool LineRule::visit(VariableId variable) {
     const ChainId id = assignment_.chainOf(variable);
     const Chain& chain = problem_.chains[id];
@@ -67,20 +68,12 @@ bool LineRule::cover(ChainId id) {
     return true;
 }
 
-void LineRule::promiseGap(ChainId chain) {
-    if (!promised_[chain]) promiseTrail_.push_back(chain);
-    promised_[chain] = true;
-}
-
 void LineRule::undo(const Mark& mark) {
     while (gapTrail_.size() > mark.gaps) {
         gaps_[gapTrail_.back().chain] = gapTrail_.back().before;
         gapTrail_.pop_back();
     }
-    while (promiseTrail_.size() > mark.promises) {
-        promised_[promiseTrail_.back()] = false;
-        promiseTrail_.pop_back();
-    }
+    promised_.undo(mark.promises);
 }
 
 } // namespace qm

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "enumerate/state/partial_assignment.h"
+#include "enumerate/state/values_with_undo.h"
 
 #include <vector>
 
@@ -39,13 +40,13 @@ public:
     bool cover(ChainId chain);
 
     /// Promises that a chain that is not covered will have a gap.
-    void promiseGap(ChainId chain);
+    void promiseGap(ChainId chain) { promised_.give(chain, true); }
 
     struct Mark {
         std::size_t gaps = 0;
         std::size_t promises = 0;
     };
-    [[nodiscard]] Mark mark() const { return {gapTrail_.size(), promiseTrail_.size()}; }
+    [[nodiscard]] Mark mark() const { return {gapTrail_.size(), promised_.given().size()}; }
     void undo(const Mark& mark);
 
 private:
@@ -65,9 +66,8 @@ private:
     const Problem& problem_;
     PartialAssignment& assignment_;
     IdVector<ChainId, Gap> gaps_;
-    IdVector<ChainId, bool> promised_; ///< whether a chain must have a gap
     std::vector<GapChange> gapTrail_;
-    std::vector<ChainId> promiseTrail_;
+    ValuesWithUndo<ChainId, bool> promised_; ///< whether a chain must have a gap
 };
 
 } // namespace qm

@@ -1,12 +1,13 @@
 #include "enumerate/state/partial_assignment.h"
 
 #include <algorithm>
+#include <span>
 
 namespace qm {
+
 PartialAssignment::PartialAssignment(const Problem& problem)
     : problem_(problem), values_(problem.domains.size(), ArcState::free), chainOf_(problem.domains.size()),
-      crossingsOf_(problem.domains.size()), inCount_(problem.chains.size(), 0),
-      free_(static_cast<int>(problem.domains.size())) {
+      crossingsOf_(problem.domains.size()), inCount_(problem.chains.size(), 0) {
     for (const double cost : problem.costs)
         bound_ += std::min(cost, 0.0);
     for (const CrossingId crossing : problem.crossings.ids()) {
@@ -23,12 +24,9 @@ PartialAssignment::PartialAssignment(const Problem& problem)
 }
 
 bool PartialAssignment::set(VariableId variable, ArcState value) {
-    ArcState& current = values_[variable];
-    if (current != ArcState::free) return current == value;
+    if (!isFree(variable)) return this->value(variable) == value;
     const double cornersBefore = cornersCost_ ? cornerBounds(variable) : 0;
-    current = value;
-    assigned_.push_back(variable);
-    --free_;
+    values_.give(variable, value);
     if (cornersCost_) bound_ += cornerBounds(variable) - cornersBefore;
     const double cost = problem_.costs[variable];
     bound_ += value == ArcState::in ? std::max(cost, 0.0) : -std::min(cost, 0.0);
@@ -37,14 +35,10 @@ bool PartialAssignment::set(VariableId variable, ArcState value) {
 }
 
 void PartialAssignment::undo(const Mark& mark) {
-    while (assigned_.size() > mark.assignments) {
-        const VariableId variable = assigned_.back();
-        assigned_.pop_back();
-        const ChainId chain = chainOf_[variable];
-        if (chain.valid() && value(variable) == ArcState::in) --inCount_[chain];
-        values_[variable] = ArcState::free;
-        ++free_;
-    }
+    for (const VariableId variable : std::span(assigned()).subspan(mark.assignments))
+        if (const ChainId chain = chainOf_[variable]; chain.valid() && value(variable) == ArcState::in)
+            --inCount_[chain];
+    values_.undo(mark.assignments);
     bound_ = mark.bound;
 }
 
@@ -63,9 +57,10 @@ double PartialAssignment::cornerBounds(VariableId variable) const {
 }
 
 Assignment PartialAssignment::assignment() const {
-    Assignment result(values_.size());
-    std::ranges::transform(values_, result.begin(),
-                           [](ArcState state) { return state == ArcState::in ? 1 : 0; });
+    Assignment result;
+    result.reserve(values_.size());
+    for (const VariableId variable : problem_.domains.ids())
+        result.push_back(value(variable) == ArcState::in ? 1 : 0);
     return result;
 }
 

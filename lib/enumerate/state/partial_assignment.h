@@ -2,6 +2,7 @@
 #pragma once
 
 #include "enumerate/state/assignment.h"
+#include "enumerate/state/values_with_undo.h"
 
 #include <vector>
 
@@ -14,7 +15,7 @@ public:
 
     [[nodiscard]] ArcState value(VariableId variable) const { return values_[variable]; }
     [[nodiscard]] bool isFree(VariableId variable) const { return value(variable) == ArcState::free; }
-    [[nodiscard]] int freeVariables() const { return free_; }
+    [[nodiscard]] std::size_t freeVariables() const { return values_.size() - assigned().size(); }
     /// A lower bound of the cost of every completion; when no variable is free, G_T up to rounding.
     [[nodiscard]] double bound() const { return bound_; }
     /// The part of the bound that is due to the corners at a crossing.
@@ -35,11 +36,11 @@ public:
         std::size_t assignments = 0;
         double bound = 0;
     };
-    [[nodiscard]] Mark mark() const { return {assigned_.size(), bound_}; }
+    [[nodiscard]] Mark mark() const { return {assigned().size(), bound_}; }
     void undo(const Mark& mark);
 
     /// The variables that have a value, in the order in which they were assigned.
-    [[nodiscard]] const std::vector<VariableId>& assigned() const { return assigned_; }
+    [[nodiscard]] const std::vector<VariableId>& assigned() const { return values_.given(); }
     /// All values; free variables count as out.
     [[nodiscard]] Assignment assignment() const;
 
@@ -47,13 +48,11 @@ private:
     [[nodiscard]] double cornerBounds(VariableId variable) const;
 
     const Problem& problem_;
-    IdVector<VariableId, ArcState> values_;
+    ValuesWithUndo<VariableId, ArcState> values_;
     IdVector<VariableId, ChainId> chainOf_;
     IdVector<VariableId, std::vector<CrossingId>> crossingsOf_;
     IdVector<ChainId, int> inCount_;
-    std::vector<VariableId> assigned_; ///< trail
     double bound_ = 0;
-    int free_ = 0;
     bool cornersCost_ = false;
 };
 

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] const Problem& problem() const { return problem_; }
     [[nodiscard]] ArcState value(VariableId variable) const { return assignment_.value(variable); }
     [[nodiscard]] bool isFree(VariableId variable) const { return assignment_.isFree(variable); }
-    [[nodiscard]] int freeVariables() const { return assignment_.freeVariables(); }
+    [[nodiscard]] std::size_t freeVariables() const { return assignment_.freeVariables(); }
     /// A lower bound of the cost of every completion; when no variable is free, G_T up to rounding.
     [[nodiscard]] double bound() const { return assignment_.bound(); }
     /// The part of the bound that is due to the corners at a crossing.
