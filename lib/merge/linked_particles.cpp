@@ -58,10 +58,6 @@ private:
         if (taken_.insert(arc).second) order_.push_back(arc);
     }
 
-    [[nodiscard]] bool touches(ArcId arc) const {
-        return space_.arcBegins[arc] == subMesh_ || space_.arcEnds[arc] == subMesh_;
-    }
-
     /// The present arcs that meet an arc at its two ends, of other lines and of its own.
     [[nodiscard]] std::vector<ArcId> crossingTracks(ArcId arc) const {
         std::vector<ArcId> result;
@@ -81,9 +77,9 @@ private:
         if (taken_.contains(arc)) return;
         const Line& line = space_.graph.lineOf(arc);
         ArcId first = arc, last = arc;
-        while (first > line.firstArc && touches(first - 1) && space_.arcBegins[first] == subMesh_)
+        while (first > line.firstArc && space_.arcBegins[first] == subMesh_)
             first = first - 1;
-        while (last < line.lastArc() && touches(last + 1) && space_.arcEnds[last] == subMesh_)
+        while (last < line.lastArc() && space_.arcEnds[last] == subMesh_)
             last = last + 1;
         for (const ArcId each : IdRange(first, last + 1))
             if (!leavesPresent(each)) take(each);

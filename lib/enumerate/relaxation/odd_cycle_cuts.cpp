@@ -36,7 +36,8 @@ public:
             Formulation::Row row = rowOf(cycle(start));
             std::vector<ColumnId> columns = row.columns;
             std::ranges::sort(columns);
-            if (excess(row) > Tuning::minViolation && known.insert(std::move(columns)).second)
+            if (row.sum(values_) - row.upper > Tuning::minViolation &&
+                known.insert(std::move(columns)).second)
                 rows.push_back(std::move(row));
         }
         return rows;
@@ -63,12 +64,6 @@ private:
     [[nodiscard]] double stops(SideId side, SideId next) const {
         return std::max(0.0, value(sides_[side].passes[0]) - value(sides_[next].passes[0])) +
                std::max(0.0, value(sides_[next].passes[1]) - value(sides_[side].passes[1]));
-    }
-    [[nodiscard]] double excess(const Formulation::Row& row) const {
-        double sum = -row.upper;
-        for (std::size_t k = 0; k < row.columns.size(); ++k)
-            sum += row.weights[k] * values_[row.columns[k]];
-        return sum;
     }
 
     /// \return whether a short enough path leads from a side to its copy
