@@ -184,10 +184,13 @@ void SubMeshSearch::countAndDraw(const Task& task, Found& found, const Control& 
 }
 
 SubMeshSearch::Found SubMeshSearch::searchCoordinates(const Task& task, const Control& control) const {
-    std::set<Assignment> seen;
-    Incumbents incumbents(options_.best, maxCost(task.subMesh));
+    std::set<Assignment> seen; // these methods visit most graphs several times
+    const double limit = maxCost(task.subMesh);
+    Incumbents incumbents(options_.best, limit);
     const auto visit = [&](const Assignment& assignment) {
-        if (seen.insert(assignment).second) incumbents.offer(costOf(task.problem, assignment), assignment);
+        const double cost = costOf(task.problem, assignment);
+        if (cost <= limit + Incumbents::tolerance && seen.insert(assignment).second)
+            incumbents.offer(cost, assignment);
         return true;
     };
     Found found{{},

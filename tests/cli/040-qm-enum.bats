@@ -64,6 +64,12 @@ is() { assert_equal "$(field "$1" out.json)" true; }
             "$(field '.enumeration.subMeshes[0].cost * 1e6 | round' expected.json)"
         assert_equal "$(field .enumeration.method out.json)" $method
     done
+    # They count up to a cost as well.
+    limit=$(jq -n "$(cost expected.json) + 0.1")
+    for method in optimum bounds improved; do
+        quietly qm-enum --method $method --count --max-cost "$limit" small.json -o out.json
+        is '.enumeration.count == "1"'
+    done
     # Trying every vector is for the smallest models only.
     search cube --method naive
     is '.enumeration.count == "1"'
