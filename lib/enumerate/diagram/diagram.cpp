@@ -61,6 +61,7 @@ public:
         if (!state_.consistent()) return std::move(diagram_);
         diagram_.fixed = state_.assignment();
         diagram_.fixedCost = qm::costOf(problem_, diagram_.fixed);
+        if (state_.freeVariables() > maxSteps) return std::nullopt; // every one takes a step
         auto steps = eliminationOrder(state_, control_);
         if (!steps || steps->size() > maxSteps) return std::nullopt;
         steps_ = std::move(*steps);

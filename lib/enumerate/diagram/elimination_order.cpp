@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -59,27 +61,26 @@ private:
     int chains_ = 0; ///< the first item that is a chain
 };
 
-/// Grows an order of crossings from a starting point, and sums up the estimated states.
+/// Grows an order of crossings from a starting point, and sums up the estimated states. Time is linear in
+/// what it reaches, up to a logarithm.
 class Sweep {
 public:
     explicit Sweep(const Ties& ties)
-        : ties_(ties), done_(ties.crossingsOf.size()), state_(ties.itemsOf.size(), Seen::no) {}
+        : ties_(ties), taken_(ties.crossingsOf.size(), 0), changes_(ties.itemsOf.size()),
+          seen_(ties.itemsOf.size(), Seen::no) {}
 
     /// \return the estimate, or infinity once it reaches `limit`
     double run(CrossingId start, double limit, std::vector<CrossingId>& order) {
-        std::ranges::fill(done_, 0);
-        std::ranges::fill(state_, Seen::no);
+        forget();
         order.clear();
-        std::vector<CrossingId> border{start};
+        see(start);
         int open = 0;
         double cost = 0;
-        while (!border.empty()) {
-            const auto next = std::ranges::min_element(
-                border, {}, [this](CrossingId crossing) { return std::pair(change(crossing), crossing); });
-            const CrossingId crossing = *next;
-            border.erase(next);
-            open += change(crossing);
-            take(crossing, border);
+        while (!border_.empty()) {
+            const auto [change, crossing] = *border_.begin();
+            border_.erase(border_.begin());
+            open += change;
+            take(crossing);
             order.push_back(crossing);
             cost += std::pow(Tuning::growth, open);
             if (cost >= limit) return infinity;
@@ -90,32 +91,52 @@ public:
 private:
     enum class Seen : char { no, border, done };
 
-    /// The change of the number of open items if this crossing came next.
-    [[nodiscard]] int change(CrossingId crossing) const {
-        int sum = 0;
-        for (const ItemId item : ties_.itemsOf[crossing]) {
-            const int all = static_cast<int>(ties_.crossingsOf[item].size());
-            const int before = done_[item], after = before + 1;
-            sum += (after < all ? 1 : 0) - (before > 0 && before < all ? 1 : 0);
+    void forget() {
+        for (const CrossingId crossing : reached_) {
+            seen_[crossing] = Seen::no;
+            for (const ItemId item : ties_.itemsOf[crossing])
+                taken_[item] = 0;
         }
-        return sum;
+        reached_.clear();
+        border_.clear();
     }
 
-    void take(CrossingId crossing, std::vector<CrossingId>& border) {
-        state_[crossing] = Seen::done;
+    void see(CrossingId crossing) {
+        seen_[crossing] = Seen::border;
+        reached_.push_back(crossing);
+        changes_[crossing] = static_cast<int>(std::ranges::count_if(
+            ties_.itemsOf[crossing], [&](ItemId item) { return ties_.crossingsOf[item].size() > 1; }));
+        border_.emplace(changes_[crossing], crossing);
+    }
+
+    /// The first crossing of an item opens it, and the last one closes it: both change what the others would
+    /// do.
+    void take(CrossingId crossing) {
+        seen_[crossing] = Seen::done;
         for (const ItemId item : ties_.itemsOf[crossing]) {
-            ++done_[item];
-            for (const CrossingId other : ties_.crossingsOf[item]) {
-                if (state_[other] != Seen::no) continue;
-                state_[other] = Seen::border;
-                border.push_back(other);
-            }
+            const std::vector<CrossingId>& all = ties_.crossingsOf[item];
+            ++taken_[item];
+            const int less = (taken_[item] == 1 ? 1 : 0) + (taken_[item] + 1 == all.size() ? 1 : 0);
+            if (less == 0) continue;
+            for (const CrossingId other : all)
+                if (seen_[other] != Seen::done) reduceChange(other, less);
         }
+    }
+
+    void reduceChange(CrossingId crossing, int less) {
+        if (seen_[crossing] == Seen::no) see(crossing);
+        border_.erase({changes_[crossing], crossing});
+        changes_[crossing] -= less;
+        border_.emplace(changes_[crossing], crossing);
     }
 
     const Ties& ties_;
-    IdVector<ItemId, int> done_; ///< for every item, its crossings that are in the order already
-    IdVector<CrossingId, Seen> state_;
+    IdVector<ItemId, std::size_t> taken_; ///< of every item, its crossings that are in the order already
+    IdVector<CrossingId, int>
+        changes_; ///< of the number of open items, if a crossing of the border came next
+    IdVector<CrossingId, Seen> seen_;
+    std::vector<CrossingId> reached_; ///< that have been seen
+    std::set<std::pair<int, CrossingId>> border_;
 };
 
 /// All crossings of the connected part that contains the first one.
