@@ -58,12 +58,11 @@ Fate judge(Removal& removal, const Track& track, const std::vector<double>& dihe
 /// Tries the candidates until none can be removed. A candidate that was kept is tried again only after a
 /// track beside it has been removed, because the outcome would be the same before.
 /// \return the fate of every track
-std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout,
-                         const std::vector<double>& dihedralAngles, const PruneOptions& options,
+std::vector<Fate> decide(const PrunedMesh& pruned, const Layout& layout, const PruneOptions& options,
                          const Control& control) {
-    Removal removal(mesh, layout);
-    const std::vector<std::size_t> order = candidates(mesh, layout, options),
-                                   rankOf = rankOfEdges(mesh, layout, order);
+    Removal removal(pruned.mesh, layout);
+    const std::vector<std::size_t> order = candidates(pruned.mesh, layout, options),
+                                   rankOf = rankOfEdges(pruned.mesh, layout, order);
     std::vector<Fate> fates(layout.tracks.size(), Fate::keep);
     std::set<std::size_t> pass, nextPass; // ranks
     for (std::size_t rank = 0; rank < order.size(); ++rank)
@@ -73,7 +72,7 @@ std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout,
         pass.erase(pass.begin());
         const Track& track = layout.tracks[order[rank]].track;
         Fate& fate = fates[order[rank]];
-        fate = judge(removal, track, dihedralAngles, options);
+        fate = judge(removal, track, pruned.dihedralAngles, options);
         if (fate == Fate::removed)
             for (const EdgeId edge : removal.remove(track)) {
                 const std::size_t other = rankOf[at(edge)];
@@ -92,16 +91,15 @@ bool dominates(const FrontPoint& one, const FrontPoint& other) {
 
 } // namespace
 
-PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
-                        const std::vector<double>& edgeCosts, const PruneOptions& options,
+PruneResult pruneLayout(const PrunedMesh& pruned, const Layout& layout, const PruneOptions& options,
                         const Control& control) {
-    const std::vector<Fate> fates = decide(mesh, layout, dihedralAngles, options, control);
+    const std::vector<Fate> fates = decide(pruned, layout, options, control);
     std::vector<Track> kept;
     for (std::size_t t = 0; t < layout.tracks.size(); ++t)
         if (!layout.tracks[t].transversal && fates[t] != Fate::removed)
             kept.push_back(layout.tracks[t].track);
     PruneResult result;
-    result.layout = buildLayout(mesh, kept, dihedralAngles, edgeCosts);
+    result.layout = buildLayout(pruned.mesh, kept, pruned.dihedralAngles, pruned.edgeCosts);
     const auto number = [&](Fate fate) { return countIn(fates, fate); };
     result.removedTracks = number(Fate::removed);
     result.keptNotQuadrilateral = number(Fate::notQuadrilateral);

@@ -5,6 +5,7 @@
 #include "base/infinity.h"
 #include "layout/constraints.h"
 #include "layout/layout.h"
+#include "prune/pruned_mesh.h"
 
 #include <cstddef>
 #include <optional>
@@ -66,10 +67,8 @@ struct PruneResult {
 /// order until none can be removed. Transversals and tracks with required edges are no candidates, and annuli
 /// stay annuli. The test of a track looks at its own vertices only, in time linear in its length.
 /// \param layout  as made by `buildLayout`
-[[nodiscard]] PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout,
-                                      const std::vector<double>& dihedralAngles,
-                                      const std::vector<double>& edgeCosts, const PruneOptions& options,
-                                      const Control& control = {});
+[[nodiscard]] PruneResult pruneLayout(const PrunedMesh& pruned, const Layout& layout,
+                                      const PruneOptions& options, const Control& control = {});
 
 /// Adds a point unless another one dominates it, and removes all points that the new one dominates.
 /// \param front  no point of it dominates another

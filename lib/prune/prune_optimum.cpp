@@ -66,8 +66,7 @@ PruneResult pruneFrom(const Layout& layout, const PrunedMesh& pruned, const Prun
                       const Control& control) {
     const bool greedy = options.method == PruneMethod::greedy;
     PruneResult result;
-    if (greedy)
-        result = pruneLayout(pruned.mesh, layout, pruned.dihedralAngles, pruned.edgeCosts, options, control);
+    if (greedy) result = pruneLayout(pruned, layout, options, control);
     if (greedy && !options.front) return result;
     const Deadline end(control, options.timeLimit);
     PruningSearch search(pruned, layout, options, control);
@@ -87,8 +86,7 @@ PruneResult prune(const PrunedMesh& pruned, const Layout& layout, const PruneOpt
     constexpr double halfTurn = 180; // no line turns by more
     if (!options.smooth || options.maxSharpTurn >= halfTurn)
         return pruneFrom(layout, pruned, options, rho, control);
-    const Layout cut = cutTurnedSides(pruned.mesh, layout, pruned.dihedralAngles, pruned.edgeCosts,
-                                      options.maxSharpTurn, options.constraints.forbidden);
+    const Layout cut = cutTurnedSides(pruned, layout, options.maxSharpTurn, options.constraints.forbidden);
     PruneResult result = pruneFrom(cut, pruned, options, rho, control);
     result.addedTracks = properTracks(cut).size() - properTracks(layout).size();
     return result;

@@ -4,7 +4,6 @@
 
 #include "base/control.h"
 #include "prune/prune.h"
-#include "prune/pruned_mesh.h"
 
 namespace qm {
 

@@ -99,9 +99,7 @@ void PruningSearch::prepare(const IntegerProgram& program, double worth) {
 void PruningSearch::removeTracks(const Layout& layout, double worth) {
     PruneOptions greedy = options_;
     greedy.eta = -worth;
-    ColumnValues values = valuesOf(
-        pruneLayout(pruned_.mesh, layout, pruned_.dihedralAngles, pruned_.edgeCosts, greedy, control_)
-            .layout);
+    ColumnValues values = valuesOf(pruneLayout(pruned_, layout, greedy, control_).layout);
     if (grids_.program.allows(values)) known_.push_back(std::move(values));
 }
 

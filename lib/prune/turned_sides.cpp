@@ -68,15 +68,15 @@ private:
 
 } // namespace
 
-Layout cutTurnedSides(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
-                      const std::vector<double>& edgeCosts, double maxTurn,
+Layout cutTurnedSides(const PrunedMesh& pruned, const Layout& layout, double maxTurn,
                       const std::vector<EdgeId>& forbidden) {
+    const QuadMesh& mesh = pruned.mesh;
     std::vector<Track> tracks = properTracks(layout), added;
-    Corners corners(mesh, tracks, dihedralAngles, forbidden);
+    Corners corners(mesh, tracks, pruned.dihedralAngles, forbidden);
     const auto goOn = [&](HalfedgeId arriving) {
         for (auto path = corners.pathFrom(arriving, maxTurn); !path.empty();
              path = corners.pathFrom(path.back(), maxTurn))
-            added.push_back(trackOf(mesh, path, edgeCosts));
+            added.push_back(trackOf(mesh, path, pruned.edgeCosts));
     };
     for (const Track& track : tracks) {
         goOn(track.halfedges.back());
@@ -84,7 +84,7 @@ Layout cutTurnedSides(const QuadMesh& mesh, const Layout& layout, const std::vec
     }
     if (added.empty()) return layout;
     std::ranges::move(added, std::back_inserter(tracks));
-    return buildLayout(mesh, tracks, dihedralAngles, edgeCosts);
+    return buildLayout(mesh, tracks, pruned.dihedralAngles, pruned.edgeCosts);
 }
 
 } // namespace qm

@@ -128,7 +128,7 @@ TEST_P(RandomLayout, IsPrunedAsIfEveryQuestionWereAskedOfTheWholeMesh) {
     options.smooth = false;
     forEachCase([&](const Case& drawn) {
         const Layout layout = layoutOf(drawn, drawn.tracks);
-        const PruneResult pruned = pruneLayout(drawn.mesh, layout, drawn.angles, drawn.costs, options);
+        const PruneResult pruned = pruneLayout({drawn.mesh, {}, drawn.angles, drawn.costs}, layout, options);
         EXPECT_EQ(layoutFault(drawn.mesh, pruned.layout), "");
         const std::vector<Track> expected = pruneSlowly(drawn, layout);
         const std::vector<Track> kept = properTracks(pruned.layout);
@@ -146,7 +146,7 @@ TEST_P(RandomLayout, SmoothPruningLeavesGridsToo) {
     options.maxTurn = 60;
     forEachCase([&](const Case& drawn) {
         const Layout layout = layoutOf(drawn, drawn.tracks);
-        const PruneResult pruned = pruneLayout(drawn.mesh, layout, drawn.angles, drawn.costs, options);
+        const PruneResult pruned = pruneLayout({drawn.mesh, {}, drawn.angles, drawn.costs}, layout, options);
         EXPECT_EQ(layoutFault(drawn.mesh, pruned.layout), "");
         EXPECT_LE(pruned.layout.segments.size(), layout.segments.size());
     });

@@ -220,8 +220,9 @@ TEST_P(AllSetsOfArcs, HaveNoneWithRoomForCornersThatIsBetterThanTheOptimum) {
             EXPECT_NEAR(objective(pruned.layout, beta), lowest, 1e-6) << "case " << number;
             if (lowest > lowestOfAll + 1e-6) ++moreExpensive;
             options.eta = -1e9;
-            const Layout greedy =
-                pruneLayout(drawn->mesh, drawn->layout, drawn->angles, drawn->costs, options).layout;
+            const Layout greedy = pruneLayout({drawn->mesh, drawn->complex, drawn->angles, drawn->costs},
+                                              drawn->layout, options)
+                                      .layout;
             EXPECT_TRUE(hasRoom(*drawn, greedy, minCorner)) << "case " << number;
         }
     }
@@ -259,8 +260,9 @@ TEST(PruneProperty, TheOptimumIsNeverWorseThanGreedyRemovalAndCountsItsSegments)
                 PruneOptions greedy;
                 greedy.eta = -beta;
                 greedy.smooth = smooth;
-                const Layout removed =
-                    pruneLayout(drawn->mesh, drawn->layout, drawn->angles, drawn->costs, greedy).layout;
+                const Layout removed = pruneLayout({drawn->mesh, drawn->complex, drawn->angles, drawn->costs},
+                                                   drawn->layout, greedy)
+                                           .layout;
                 const PruneResult best = pruneCase(*drawn, drawn->layout, optimum(beta, smooth));
                 EXPECT_LE(objective(best.layout, beta), objective(removed, beta) + 1e-6) << "case " << number;
                 EXPECT_GE(objective(best.layout, beta), *best.objectiveBound - 1e-6) << "case " << number;
@@ -283,7 +285,8 @@ TEST(PruneProperty, WhatIsPrunedCanBePrunedToTheOptimum) {
         rough.eta = -1e9;
         rough.smooth = false;
         const Layout removed =
-            pruneLayout(drawn->mesh, drawn->layout, drawn->angles, drawn->costs, rough).layout;
+            pruneLayout({drawn->mesh, drawn->complex, drawn->angles, drawn->costs}, drawn->layout, rough)
+                .layout;
         const PruneResult best = pruneCase(*drawn, removed, optimum(0.5, true));
         EXPECT_LE(objective(best.layout, 0.5), objective(removed, 0.5) + 1e-6) << "case " << number;
     }

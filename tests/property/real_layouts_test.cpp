@@ -37,7 +37,7 @@ void expectGridsHoweverPruned(const QuadMesh& mesh) {
             PruneOptions options;
             options.eta = eta;
             options.smooth = smooth;
-            const PruneResult pruned = pruneLayout(mesh, layout, angles, costs, options);
+            const PruneResult pruned = pruneLayout({mesh, {}, angles, costs}, layout, options);
             EXPECT_EQ(layoutFault(mesh, pruned.layout), "") << "eta " << eta << ", smooth " << smooth;
             EXPECT_EQ(pruned.layout.tracks.size() + pruned.removedTracks, layout.tracks.size());
             EXPECT_LE(pruned.layout.segments.size(), layout.segments.size());

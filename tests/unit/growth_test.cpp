@@ -83,7 +83,7 @@ std::map<std::string, double> bytesOfStages(int voxels) {
     const std::vector<double> costs = edgeCosts(angles, {});
     const Layout layout = buildLayout(mesh, merged.graph.tracks, angles, costs);
     done("layout");
-    (void)pruneLayout(mesh, layout, angles, costs, {}, control);
+    (void)pruneLayout({mesh, complex, angles, costs}, layout, {}, control);
     done("prune");
     return bytes;
 }

@@ -25,7 +25,7 @@ PruneResult prune(const QuadMesh& mesh, const std::vector<Track>& tracks, const 
                   const Control& control = {}) {
     const PerEdge none(mesh, 0);
     const Layout layout = buildLayout(mesh, tracks, none, none);
-    PruneResult result = pruneLayout(mesh, layout, none, none, options, control);
+    PruneResult result = pruneLayout({mesh, {}, none, none}, layout, options, control);
     EXPECT_EQ(layoutFault(mesh, result.layout), "");
     return result;
 }
@@ -149,7 +149,7 @@ TEST(Prune, RestsNothingOnATransversal) {
     const Layout layout = buildLayout(mesh, tracks, PerEdge(mesh, 0), costs);
     ASSERT_EQ(layout.tracks.size(), 5U);
     ASSERT_TRUE(layout.tracks[4].transversal);
-    const PruneResult result = pruneLayout(mesh, layout, PerEdge(mesh, 0), costs, bold(1));
+    const PruneResult result = pruneLayout({mesh, {}, PerEdge(mesh, 0), costs}, layout, bold(1));
     EXPECT_EQ(layoutFault(mesh, result.layout), "");
     EXPECT_EQ(result.removedTracks, 0U);
     EXPECT_EQ(result.keptNotQuadrilateral, 1U);
@@ -211,11 +211,11 @@ TEST(PruneSmooth, MeasuresAtAnExtraordinaryVertexToo) {
     PruneOptions options;
     options.eta = -1e9;
     options.maxTurn = 89;
-    const PruneResult none = pruneLayout(mesh, layout, angles, costs, options);
+    const PruneResult none = pruneLayout({mesh, {}, angles, costs}, layout, options);
     EXPECT_EQ(none.layout.segments.size(), 6U);
     EXPECT_EQ(none.keptNotSmooth, layout.tracks.size());
     options.maxTurn = 91;
-    const PruneResult some = pruneLayout(mesh, layout, angles, costs, options);
+    const PruneResult some = pruneLayout({mesh, {}, angles, costs}, layout, options);
     EXPECT_LT(some.layout.segments.size(), 6U);
     EXPECT_EQ(layoutFault(mesh, some.layout), "");
 }

@@ -50,7 +50,7 @@ std::vector<Path> pathsAfter(const QuadMesh& mesh, const std::vector<Path>& path
     for (const Path& path : paths)
         tracks.push_back(trackAlong(mesh, path, 1));
     const Layout layout =
-        cutTurnedSides(mesh, buildLayout(mesh, tracks, angles, costs), angles, costs, maxTurn);
+        cutTurnedSides({mesh, {}, angles, costs}, buildLayout(mesh, tracks, angles, costs), maxTurn);
     EXPECT_EQ(layoutFault(mesh, layout), "");
     std::vector<Path> result;
     for (const Track& track : properTracks(layout))
