@@ -35,8 +35,8 @@ CoordinateMethod coordinateMethod(Method method) {
 SubMeshSearch::SubMeshSearch(const SearchedMesh& searched, const EnumerationOptions& options)
     : searched_(searched), options_(options),
       edgeCosts_(edgeCosts(searched.mesh, searched.dihedralAngles, options.cost, searched.constraints)),
-      space_(makeSearchSpace(searched.mesh, searched.complex, edgeCosts_, searched.subMeshes,
-                             searched.constraints, cornerCost(options.cost.terms))) {
+      space_(makeSearchSpace(searched.mesh, searched.complex, {edgeCosts_, cornerCost(options.cost.terms)},
+                             searched.subMeshes, searched.constraints)) {
     fixedCosts_.assign(at(searched.subMeshes.count), 0);
     if (space_.cornerCost == 0) return;
     const Corners corners(searched.mesh, searched.subMeshes);
@@ -64,8 +64,8 @@ MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignm
     apply(task.problem, assignment, present);
     MotorcycleGraph result =
         task.problem.gaps
-            ? graphOf(searched_.mesh, searched_.complex, arcs, present, edgeCosts_, task.walkers)
-            : tMeshOf(searched_.mesh, searched_.complex, arcs, present, edgeCosts_);
+            ? graphOf({searched_.mesh, searched_.complex, arcs}, present, edgeCosts_, task.walkers)
+            : tMeshOf({searched_.mesh, searched_.complex, arcs}, present, edgeCosts_);
     if (space_.cornerCost != 0) result.cost = costOf(task.problem, assignment) + fixedCosts_[task.subMesh];
     return result;
 }

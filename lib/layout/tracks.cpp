@@ -51,14 +51,14 @@ Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std:
     return {{path.begin(), path.end()}, sumAlong(mesh, path, edgeCosts)};
 }
 
-MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                        const PresentArcs& present, const std::vector<double>& edgeCosts,
-                        const Walkers& walkers) {
+MotorcycleGraph graphOf(const MeshArcs& arcs, const PresentArcs& present,
+                        const std::vector<double>& edgeCosts, const Walkers& walkers) {
+    const ArcGraph& graph = arcs.graph;
     const IdVector<LineId, Coverage> coverages = coverLines(graph, present, walkers);
     MotorcycleGraph result;
     const auto add = [&](SeparatrixId separatrix, const ArcRun& run) {
-        const std::span path(complex.separatrices[separatrix].halfedges);
-        result.add(trackOf(mesh, path.first(halfedgesOf(graph, complex, run).size()), edgeCosts));
+        const std::span path(arcs.complex.separatrices[separatrix].halfedges);
+        result.add(trackOf(arcs.mesh, path.first(halfedgesOf(graph, arcs.complex, run).size()), edgeCosts));
     };
     for (const LineId id : graph.lines.ids()) {
         const Line& line = graph.lines[id];
@@ -69,8 +69,9 @@ MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const 
     return result;
 }
 
-MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                        const PresentArcs& present, const std::vector<double>& edgeCosts) {
+MotorcycleGraph tMeshOf(const MeshArcs& arcs, const PresentArcs& present,
+                        const std::vector<double>& edgeCosts) {
+    const auto& [mesh, complex, graph] = arcs;
     MotorcycleGraph result;
     for (const Line& line : graph.lines)
         for (const ArcRun& run : runsOf(line, [&](ArcId arc) { return present[arc]; })) {
@@ -106,8 +107,8 @@ std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
     return result;
 }
 
-PresentArcs presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                        const std::vector<Track>& tracks) {
+PresentArcs presentArcs(const MeshArcs& arcs, const std::vector<Track>& tracks) {
+    const auto& [mesh, complex, graph] = arcs;
     PresentArcs present(graph.arcs.size(), false);
     for (const ArcId arc : coveredArcs(mesh, graph, arcsOfEdges(mesh, graph, complex), tracks))
         present[arc] = true;

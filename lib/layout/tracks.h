@@ -10,19 +10,25 @@
 
 namespace qm {
 
+/// A mesh and the arcs of its base complex.
+struct MeshArcs {
+    const QuadMesh& mesh;
+    const BaseComplex& complex;
+    const ArcGraph& graph;
+};
+
 /// A track along a path, with its cost.
 [[nodiscard]] Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path,
                             const std::vector<double>& edgeCosts);
 
 /// The tracks of a graph with their costs, by line; particles that do not move have none.
-[[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                      const PresentArcs& present, const std::vector<double>& edgeCosts,
-                                      const Walkers& walkers = {});
+[[nodiscard]] MotorcycleGraph graphOf(const MeshArcs& arcs, const PresentArcs& present,
+                                      const std::vector<double>& edgeCosts, const Walkers& walkers = {});
 
 /// The same for T-meshes, where only rules 1 and 2 hold: every run of arcs on a line is a track, and begins
 /// at a source if it touches one.
-[[nodiscard]] MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                      const PresentArcs& present, const std::vector<double>& edgeCosts);
+[[nodiscard]] MotorcycleGraph tMeshOf(const MeshArcs& arcs, const PresentArcs& present,
+                                      const std::vector<double>& edgeCosts);
 
 /// The arcs that tracks cover, ascending. An arc may be covered by two tracks that meet head-on inside it.
 /// \param arcOfEdge  the arc of every edge
@@ -33,7 +39,6 @@ namespace qm {
 
 /// The same, as whether each arc is covered.
 /// \throw Error  likewise
-[[nodiscard]] PresentArcs presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                      const std::vector<Track>& tracks);
+[[nodiscard]] PresentArcs presentArcs(const MeshArcs& arcs, const std::vector<Track>& tracks);
 
 } // namespace qm

@@ -41,7 +41,7 @@ bool takePlainIfCheaper(const SearchedMesh& searched, const std::vector<double>&
                         const SearchSpace& space, PresentArcs& present) {
     const auto& [mesh, complex] = std::tie(searched.mesh, searched.complex);
     PresentArcs plain =
-        presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, edgeCosts).tracks);
+        presentArcs({mesh, complex, space.graph}, plainMotorcycleGraph(mesh, complex, edgeCosts).tracks);
     if (!obeys(space, plain) || costOf(space, plain) >= costOf(space, present)) return false;
     present = std::move(plain);
     return true;
@@ -80,7 +80,7 @@ MergeResult mergeGraphs(const SearchedMesh& searched, const Enumeration& enumera
     const auto& [mesh, complex, dihedralAngles, subMeshes, constraints] = searched;
     const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, enumeration.cost, constraints);
     const double corner = cornerCost(enumeration.cost.terms);
-    const SearchSpace space = makeSearchSpace(mesh, complex, costs, subMeshes, constraints, corner);
+    const SearchSpace space = makeSearchSpace(mesh, complex, {costs, corner}, subMeshes, constraints);
     // What ends early is extended without regard to the constraints.
     const bool mayEnd = constraints.required.empty() && constraints.forbidden.empty();
     auto [present, result] = generateGraph(searched, space, enumeration,
@@ -98,16 +98,16 @@ MergeResult mergeGraphs(const SearchedMesh& searched, const Enumeration& enumera
         const auto lowerBound = searchAcrossCut(space, complexityLimit, limited, present, result);
         if (bounds) result.lowerBound = lowerBound;
     }
-    result.graph = graphOf(mesh, complex, space.graph, present, costs);
+    result.graph = graphOf({mesh, complex, space.graph}, present, costs);
     result.costBefore = result.graph.cost;
     if (result.lowerBound) result.lowerBound = boundBelow(*result.lowerBound, result.graph.cost);
     if (subMeshes.count == 1 && bounds) result.lowerBound = enumeration.subMeshes.front().lowerBound;
     if (options.improve > 0 && !isProven(result)) {
-        const SearchSpace whole = makeSearchSpace(mesh, complex, costs, {}, constraints, corner);
+        const SearchSpace whole = makeSearchSpace(mesh, complex, {costs, corner}, {}, constraints);
         const Improvement better =
-            improveGraph(whole, presentArcs(mesh, complex, whole.graph, result.graph.tracks),
+            improveGraph(whole, presentArcs({mesh, complex, whole.graph}, result.graph.tracks),
                          std::min(options.improve, end.secondsLeft()), control, tell);
-        result.graph = graphOf(mesh, complex, whole.graph, better.present, costs);
+        result.graph = graphOf({mesh, complex, whole.graph}, better.present, costs);
         if (bounds)
             result.lowerBound =
                 boundBelow(std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound)),

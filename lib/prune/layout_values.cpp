@@ -16,7 +16,7 @@ ColumnValues valuesOf(const PrunedMesh& pruned, const ArcGraph& graph, const Gri
     for (const LayoutTrack& track : layout.tracks)
         if (!track.transversal && arcOf[at(mesh.edge_handle(track.track.halfedges.front()))].valid())
             tracks.push_back(track.track);
-    return grids.valuesOf(presentArcs(mesh, pruned.complex, graph, tracks));
+    return grids.valuesOf(presentArcs({mesh, pruned.complex, graph}, tracks));
 }
 
 ColumnValues completed(const GridProgram& grids, const ArcGraph& graph, const ColumnValues& solved) {

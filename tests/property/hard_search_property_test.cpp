@@ -37,7 +37,7 @@ Torus drawTorus(unsigned number) {
     Torus drawn{buildArcGraph(mesh, complex), {}, {}, 0};
     const auto arcCosts = sumOverArcs(mesh, drawn.graph, complex, costs);
     drawn.problem = makeProblem({drawn.graph, arcCosts, {}, {}, {}, {}});
-    drawn.plain = assignmentOf(drawn.problem, presentArcs(mesh, complex, drawn.graph,
+    drawn.plain = assignmentOf(drawn.problem, presentArcs({mesh, complex, drawn.graph},
                                                           plainMotorcycleGraph(mesh, complex, costs).tracks));
     drawn.minCost = costOf(drawn.problem, findOptimum(drawn.problem, {}).graphs.front());
     return drawn;

@@ -139,7 +139,7 @@ TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
             auto drawn = drawCase(number);
             if (!drawn) continue;
             const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex,
-                                                      std::vector(drawn->mesh.n_edges(), 0.0), {}, {}, 1);
+                                                      {std::vector(drawn->mesh.n_edges(), 0.0), 1}, {}, {});
             drawn->problem = subMeshProblem(space, SubMeshId(0), ownArcs(space, SubMeshId(0)),
                                             PresentArcs(space.graph.arcs.size()));
             drawn->problem.gaps = gaps;
@@ -154,9 +154,10 @@ TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
                 ASSERT_NEAR(costOf(drawn->problem, graph) + fixed, all, 1e-9) << "case " << number;
                 const PresentArcs present = presentIn(*drawn, graph);
                 ASSERT_NEAR(costOf(space, present) + fixed, all, 1e-9) << "case " << number;
-                const auto tracks = (gaps ? graphOf(drawn->mesh, drawn->complex, drawn->graph, present, free)
-                                          : tMeshOf(drawn->mesh, drawn->complex, drawn->graph, present, free))
-                                        .tracks;
+                const auto tracks =
+                    (gaps ? graphOf({drawn->mesh, drawn->complex, drawn->graph}, present, free)
+                          : tMeshOf({drawn->mesh, drawn->complex, drawn->graph}, present, free))
+                        .tracks;
                 ASSERT_EQ(static_cast<double>(corners.between(tracks, SubMeshId(0))), all)
                     << "case " << number;
             }
@@ -323,7 +324,7 @@ TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
         EnumerationOptions options;
         options.cost = {{0.9, 0.7}};
         const Enumeration found = enumerateGraphs(searched, options);
-        const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex, drawn->costs, parts, {});
+        const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex, {drawn->costs}, parts, {});
         for (const std::size_t work : {std::size_t(0), GeneratorLimits().work}) {
             const GeneratorLimits limits{.complexity = 40, .rounds = MergeOptions().maxRounds, .work = work};
             const GeneratedGraph generated = generateGraph(searched, space, found, limits, {});
@@ -331,7 +332,7 @@ TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
                 << "case " << number << " work " << work;
         }
         const MergeResult merged = mergeGraphs(searched, found, 40, {});
-        const auto present = presentArcs(drawn->mesh, drawn->complex, drawn->graph, merged.graph.tracks);
+        const auto present = presentArcs({drawn->mesh, drawn->complex, drawn->graph}, merged.graph.tracks);
         EXPECT_TRUE(isMotorcycleGraph(drawn->graph, present)) << "case " << number;
         EXPECT_NO_THROW((void)buildLayout(drawn->mesh, merged.graph.tracks, drawn->angles, drawn->costs))
             << "case " << number;
@@ -411,9 +412,9 @@ TEST(SearchProperty, ManyWindowsTogetherLeaveAValidGraph) {
         std::uniform_real_distribution<double> cost(-1, 1);
         std::vector<double> costs(mesh.n_edges());
         std::ranges::generate(costs, [&] { return cost(random); });
-        const SearchSpace space = makeSearchSpace(mesh, complex, costs, {}, {});
+        const SearchSpace space = makeSearchSpace(mesh, complex, {costs}, {}, {});
         const auto plain =
-            presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, costs).tracks);
+            presentArcs({mesh, complex, space.graph}, plainMotorcycleGraph(mesh, complex, costs).tracks);
         WindowOptions options;
         options.minVariables = options.maxVariables = 60;
         const ProblemInput input{space.graph, space.arcCosts, {}, {}, {}, {}};
@@ -431,8 +432,8 @@ TEST(SearchProperty, ImprovedGraphsAreProvenAndNeverDearer) {
         if (!drawn || drawn->graph.arcs.empty()) continue;
         const MotorcycleGraph plain = plainMotorcycleGraph(drawn->mesh, drawn->complex, drawn->costs);
         const double minCost = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
-        const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex, drawn->costs, {}, {});
-        const PresentArcs before = presentArcs(drawn->mesh, drawn->complex, space.graph, plain.tracks);
+        const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex, {drawn->costs}, {}, {});
+        const PresentArcs before = presentArcs({drawn->mesh, drawn->complex, space.graph}, plain.tracks);
         const Improvement better = improveGraph(space, before, 1e9);
         EXPECT_TRUE(isMotorcycleGraph(space.graph, better.present)) << "case " << number;
         const double cost = costOf(space, better.present);

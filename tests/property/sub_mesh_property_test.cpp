@@ -46,7 +46,7 @@ std::optional<Case> drawCase(std::mt19937& random) {
     drawn.parts = {std::vector<SubMeshId>(drawn.mesh.n_vertices()), 1 + static_cast<int>(random() % 3)};
     for (SubMeshId& label : drawn.parts.labels)
         label = SubMeshId(random() % at(drawn.parts.count));
-    drawn.space = makeSearchSpace(drawn.mesh, drawn.complex, drawn.edgeCosts, drawn.parts, {}, 0.5);
+    drawn.space = makeSearchSpace(drawn.mesh, drawn.complex, {drawn.edgeCosts, 0.5}, drawn.parts, {});
     return drawn;
 }
 
@@ -99,7 +99,7 @@ TEST(SubMeshProperty, ASubMeshesOwnLinesAreAllThatItsSearchNeeds) {
             goStraight(whole, subMesh, straight);
             EXPECT_EQ(assignmentOf(ownProblem, ownStraight), assignmentOf(wholeProblem, straight));
             const auto tracksOf = [&](const SearchSpace& space, const PresentArcs& present) {
-                return graphOf(drawn.mesh, drawn.complex, space.graph, present, drawn.edgeCosts,
+                return graphOf({drawn.mesh, drawn.complex, space.graph}, present, drawn.edgeCosts,
                                walkersOf(space, subMesh, PresentArcs(present.size())))
                     .tracks;
             };

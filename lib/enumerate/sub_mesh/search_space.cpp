@@ -48,13 +48,12 @@ IdVector<ArcId, ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& com
 
 } // namespace
 
-SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
-                            const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
-                            const Constraints& constraints, double cornerCost) {
+SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex, const PlaceCosts& costs,
+                            const SubMeshes& subMeshes, const Constraints& constraints) {
     SearchSpace space;
-    space.cornerCost = cornerCost;
+    space.cornerCost = costs.ofCorner;
     space.graph = buildArcGraph(mesh, complex, subMeshes.labels);
-    space.arcCosts = sumOverArcs(mesh, space.graph, complex, edgeCosts);
+    space.arcCosts = sumOverArcs(mesh, space.graph, complex, costs.ofEdges);
     space.demands = demandsOf(mesh, complex, space.graph, constraints);
     for (const ArcId arc : space.graph.arcs.ids()) {
         const auto halfedges = halfedgesOf(space.graph, complex, arc);
@@ -66,7 +65,7 @@ SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
         const ArcId last = line.lastArc();
         const VertexId end = mesh.to_vertex_handle(halfedgesOf(space.graph, complex, last).back());
         if (!line.backward && mesh.is_boundary(end) && isRegular(mesh, end))
-            space.arcCosts[last] += 2 * cornerCost;
+            space.arcCosts[last] += 2 * costs.ofCorner;
     }
     for (const Junction& junction : space.graph.junctions)
         space.junctionLabels.push_back(subMeshes.of(junction.vertex));

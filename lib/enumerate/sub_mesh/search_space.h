@@ -23,10 +23,16 @@ struct SearchSpace {
     double cornerCost = 0; ///< of every corner of a segment
 };
 
+/// The costs that make up that of a graph.
+struct PlaceCosts {
+    const std::vector<double>& ofEdges;
+    double ofCorner = 0; ///< of every corner of a segment
+};
+
 /// \throw Error  if a constraint names an edge on no separatrix, or forbids an edge of the mesh boundary
 [[nodiscard]] SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
-                                          const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
-                                          const Constraints& constraints, double cornerCost = 0);
+                                          const PlaceCosts& costs, const SubMeshes& subMeshes,
+                                          const Constraints& constraints);
 
 /// The lines on which particles of a sub-mesh start, as a search space of their own, for searches to which
 /// nothing outside is known (own_space.cpp). Lines, arcs and junctions keep their order. As long as no arc of

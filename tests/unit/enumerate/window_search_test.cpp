@@ -29,8 +29,9 @@ struct Sample {
 
     explicit Sample(unsigned seed)
         : mesh(makeShape("random", {1, 0, seed, 80})), complex(buildBaseComplex(mesh)),
-          costs(drawCosts(seed)), space(makeSearchSpace(mesh, complex, costs, {}, {})),
-          plain(presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, costs).tracks)) {}
+          costs(drawCosts(seed)), space(makeSearchSpace(mesh, complex, {costs}, {}, {})),
+          plain(
+              presentArcs({mesh, complex, space.graph}, plainMotorcycleGraph(mesh, complex, costs).tracks)) {}
 
     [[nodiscard]] std::vector<double> drawCosts(unsigned seed) const {
         std::mt19937 random(seed);

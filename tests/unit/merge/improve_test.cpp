@@ -39,8 +39,9 @@ struct PlainCase {
         std::uniform_real_distribution<double> cost(-1, 2);
         costs.resize(mesh.n_edges());
         std::ranges::generate(costs, [&] { return cost(random); });
-        space = makeSearchSpace(mesh, complex, costs, {}, {});
-        present = presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, costs).tracks);
+        space = makeSearchSpace(mesh, complex, {costs}, {}, {});
+        present =
+            presentArcs({mesh, complex, space.graph}, plainMotorcycleGraph(mesh, complex, costs).tracks);
     }
 
     QuadMesh mesh;
