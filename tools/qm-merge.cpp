@@ -32,6 +32,8 @@ int main(int argc, char** argv) {
                                                     qm::sharpAngle(stage->document().root));
                 section["merge"] = qm::mergeFigures(merged);
                 stage->write(options, std::move(section));
+                if (options.improve > 0 && model.enumeration->graphClass == qm::GraphClass::tmesh)
+                    tool.warnOfInput("class tmesh is not improved");
                 if (merged.endedEarly)
                     tool.warnOfInput("a limit ended the search; there may be cheaper layouts");
                 return qm::exitDone;

@@ -174,6 +174,15 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     is ".enumeration.subMeshes[0].graphs | length >= 2 and all(.cost <= $limit + 1e-9)"
 }
 
+@test "a gap ends the search for one graph before its proof" {
+    search random --gap 1e6 --require-complete
+    is '.enumeration.complete and (.enumeration.subMeshes[0] | .cost > .lowerBound)'
+    misused qm-enum --gap 1 --best 2 "$(stage basecomplex random)"
+    search random --gap 1e6 --best 2 --list best.jsonl
+    is '.enumeration.subMeshes[0] | .cost > .lowerBound'
+    assert_equal "$(wc -l <best.jsonl)" 2
+}
+
 @test "the paper's methods refuse thousands of particles" {
     qm-shape random --voxels 4000 --resolution 1 -o many.obj
     qm-basecomplex -q many.obj -o many.json

@@ -164,3 +164,11 @@ hard() {
     complains qm-merge wrong.json
     run -1 qm-check wrong.json
 }
+
+@test "a T-mesh is not improved, which is said" {
+    quietly qm-enum --class tmesh "$(stage basecomplex helix)" -o tmesh.json
+    captured qm-merge --improve 1 tmesh.json -o out.json
+    assert_success
+    assert_equal "$stderr" "qm-merge: tmesh.json: class tmesh is not improved"
+    quietly qm-check out.json
+}

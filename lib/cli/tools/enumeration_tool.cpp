@@ -112,6 +112,9 @@ void declareRequests(Tool& tool, EnumerationRequests& requests, EnumerationOptio
             throw UsageError("--best: more than a million graphs go to a file only. Name it with --list");
         if (options.sample > 0 && std::isfinite(options.maxCost))
             throw UsageError("--sample draws from all graphs: --max-cost does not go with it");
+        if (options.gap > 0 && options.best > 1 && requests.bestGraphs.empty())
+            throw UsageError("--gap: several graphs are all proved, whatever the gap. Leave out one of --gap "
+                             "and --best");
         if (options.graphClass == GraphClass::tmesh && options.method != Method::optimum)
             throw UsageError("--class tmesh: only --method optimum knows it");
         if ((options.sample > 0 || !requests.bestGraphs.empty()) && options.method != Method::optimum)
