@@ -172,3 +172,10 @@ hard() {
     assert_equal "$stderr" "qm-merge: tmesh.json: class tmesh is not improved"
     quietly qm-check out.json
 }
+
+@test "a bound above the cost of its graph is refused" {
+    quietly qm-enum "$(stage basecomplex cube)" -o whole.json
+    jq '.enumeration.subMeshes[0].lowerBound += 1' whole.json >edited.json
+    complains qm-merge edited.json -o out.json
+    assert_regex "$stderr" '/enumeration/subMeshes/0/lowerBound: is above the cost of the first graph'
+}

@@ -45,6 +45,10 @@ public:
         }
         if (!result.graphs.empty()) result.cost = result.graphs.front().cost;
         verifyCost(place, result.cost);
+        if (result.cost && result.lowerBound && *result.lowerBound > *result.cost &&
+            !sameCost(*result.lowerBound, *result.cost))
+            place["lowerBound"].fail("is above the cost of the first graph",
+                                     "Set it to null, or run qm-enum again");
         if (const auto samples = place.find("samples"))
             for (const JsonPlace& sample : samples->elements())
                 result.samples.push_back(graph(sample, id));
