@@ -3,7 +3,6 @@
 #include "enumerate/optimum/optimum.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace qm {
@@ -48,11 +47,10 @@ std::optional<WholeSearch> searchWhole(const SearchSpace& space, const PresentAr
     options.nodes = WholeTuning::nodes;
     options.work = WholeTuning::work;
     if (problem.arcs.size() > WholeTuning::rootOnly) {
-        constexpr auto never = std::numeric_limits<std::size_t>::max();
         options.nodes = 1;
         options.large = WholeTuning::rootOnly; // faster, and better graphs are near approximate solutions
-        options.cut = never;                   // cuts solve the root many times
-        options.hard = never;                  // searches within the search take longer than the root
+        options.cut = PartOptions::never;      // cuts solve the root many times
+        options.hard = PartOptions::never;     // searches within the search take longer than the root
     }
     const OptimumResult found = findOptimum(problem, options, control);
     WholeSearch result{present, found.lowerBound, found.complete,

@@ -82,10 +82,9 @@ MergeResult mergeGraphs(const SearchedMesh& searched, const Enumeration& enumera
     const double corner = cornerCost(enumeration.cost.terms);
     const SearchSpace space = makeSearchSpace(mesh, complex, {costs, corner}, subMeshes, constraints);
     // What ends early is extended without regard to the constraints.
-    const bool mayEnd = constraints.required.empty() && constraints.forbidden.empty();
     auto [present, result] = generateGraph(searched, space, enumeration,
                                            {.complexity = complexityLimit, .rounds = options.maxRounds},
-                                           mayEnd ? limited : control);
+                                           space.demands.empty() ? limited : control);
     if (subMeshes.count > 1) result.plain = takePlainIfCheaper(searched, costs, space, present);
     // Free particles are extended straight on without regard to the constraints.
     if (!obeys(space, present))

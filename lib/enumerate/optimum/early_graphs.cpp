@@ -6,14 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace qm {
 namespace {
 
 using Tuning = DivingTuning;
-/// The size from which a part is hard: none is, so searches do not nest.
-constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
 /// Sets values above the threshold to in and others to out, the surest first, and draws all conclusions.
 void roundAt(PartSearch& part, double threshold) {
@@ -99,7 +96,7 @@ bool searchRest(PartSearch& part, TakenOver values) {
             PartOptions options;
             options.nodes = Tuning::nodes;
             options.work = part.options.work - std::min(part.work(), part.options.work);
-            options.hard = never;
+            options.hard = PartOptions::never; // searches do not nest
             BranchAndBound search(part.state, piece, options, part.control);
             if (values == TakenOver::asInBest) search.offer(part.incumbents.graphs().begin()->second);
             search.run();

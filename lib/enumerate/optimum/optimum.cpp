@@ -7,13 +7,10 @@
 #include "enumerate/state/independent_parts.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace qm {
 namespace {
-
-constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
 /// Finds one graph: the best graphs of all parts together.
 class PartsSearch {
@@ -91,7 +88,7 @@ private:
         const std::size_t left = options.work - std::min(result_.work, options.work);
         options.work = left / variablesLeft_ * part.size();
         options.gap /= static_cast<double>(parts_.size());
-        if (!options_.start) options.large = never;
+        if (!options_.start) options.large = PartOptions::never;
         if (part.size() >= options.large)
             options.nodes = 1;
         else if (mayUseDiagram(part))
@@ -144,7 +141,7 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
     PartOptions together = options;
     together.maxCost -= result.lowerBound;
     together.gap = 0;
-    together.large = never;
+    together.large = PartOptions::never;
     BranchAndBound search(state, variables, together, control);
     if (options.start) search.offer(*options.start);
     search.run();

@@ -42,30 +42,26 @@ bool LineRule::openGap(ChainId id, VariableId variable) {
     const Gap before = gap;
     if (!gap.empty() && variable >= gap.first && variable <= gap.last) return true;
     gapTrail_.push_back({id, before});
-    const bool first = before.empty();
-    gap = first ? Gap{variable, variable}
-                : Gap{std::min(before.first, variable), std::max(before.last, variable)};
-    const IdRange added = first                     ? IdRange(variable, variable + 1)
-                          : variable < before.first ? IdRange(variable, before.first)
-                                                    : IdRange(before.last + 1, variable + 1);
-    for (const VariableId v : added)
-        if (!assignment_.set(v, ArcState::out)) return false;
-    if (!first) return true;
+    if (!before.empty()) {
+        gap = {std::min(before.first, variable), std::max(before.last, variable)};
+        const IdRange added = variable < before.first ? IdRange(variable, before.first)
+                                                      : IdRange(before.last + 1, variable + 1);
+        return std::ranges::all_of(added, [&](VariableId v) { return assignment_.set(v, ArcState::out); });
+    }
+    gap = {variable, variable};
     for (const int step : {-1, 1}) {
-        bool seenIn = false;
-        for (VariableId v = variable + step; chain.has(v); v = v + step) {
-            seenIn = seenIn || assignment_.value(v) == ArcState::in;
-            if (seenIn && !assignment_.set(v, ArcState::in)) return false;
-        }
+        VariableId v = variable + step;
+        while (chain.has(v) && assignment_.value(v) != ArcState::in)
+            v = v + step;
+        for (; chain.has(v); v = v + step) // those that are in were visited before there was a gap
+            if (!assignment_.set(v, ArcState::in)) return false;
     }
     return true;
 }
 
 bool LineRule::cover(ChainId id) {
-    const Chain& chain = problem_.chains[id];
-    for (const VariableId v : chain.variables())
-        if (!assignment_.set(v, ArcState::in)) return false;
-    return true;
+    return std::ranges::all_of(problem_.chains[id].variables(),
+                               [&](VariableId v) { return assignment_.set(v, ArcState::in); });
 }
 
 void LineRule::undo(const Mark& mark) {
