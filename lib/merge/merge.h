@@ -32,7 +32,8 @@ struct MergeResult {
 };
 
 /// Runs PMG, then CMG until no particle is free, then searches across the cut, then improves the graph if
-/// there is time for it. The result is always a valid motorcycle graph of the whole mesh.
+/// there is time for it. If the graphs of all sub-meshes are valid motorcycle graphs, the result is one of
+/// the whole mesh.
 /// \param enumeration      the first graph of every sub-mesh is the starting point; its cost options apply
 /// \param tell             called with the known cost and bound during the improvement
 /// \param complexityLimit  chi of the cut

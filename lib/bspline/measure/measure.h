@@ -37,7 +37,7 @@ struct Measurement {
 };
 
 /// Measures the deviations from the reference, from the quads and from the vertices, and borders, inner
-/// lines, folds and fairness. Linear in the mesh; about 10 microseconds per quad.
+/// lines, folds and fairness. Linear in the mesh; most of the time is that of `certifiedDeviations`.
 /// \param isSmooth    by edge: whether normals are compared across it
 /// \param negligible  distances below this need not be told apart
 [[nodiscard]] Measurement measureSurfaces(const MeasuredSurfaces& surfaces, const std::vector<bool>& isSmooth,
