@@ -3,7 +3,6 @@
 #include "base/at.h"
 #include "base/infinity.h"
 #include "bspline/fitting/first_solution.h"
-#include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/fit_state.h"
 #include "bspline/fitting/planes/flat_patches.h"
 #include "bspline/fitting/verified_flattening.h"
@@ -35,31 +34,6 @@ constexpr double worthwhile = 0.985;
 /// After so many rounds, folds that are near enough are accepted.
 constexpr int roundsForFolds = 30;
 
-/// If a verification finds a distance larger than the previous one by a factor, or more control points
-/// without a gain in distance, the attempt ends, unless it is the last one: more rounds would add ever more
-/// knots.
-struct Astray {
-    static constexpr double distance = 1.2;
-    static constexpr double points = 1.5;
-    static constexpr double gain = 0.8; ///< share of the distance that is left
-};
-
-/// If a verification finds it farther away than this, in tolerances, and hardly nearer than the previous one
-/// did, the attempt ends, and be it the last one.
-struct Stuck {
-    static constexpr double distance = 1.2;
-    static constexpr double gain = 0.95; ///< share of the distance that is left
-};
-
-/// A fit that is so many tolerances away will not come within one. It is not verified again and not attempted
-/// anew, and its search ends if this many rounds together do not halve the distance. Nor will a fit for which
-/// so many times the control points of its first round do not halve it: it follows noise.
-struct Hopeless {
-    static constexpr double distance = 1000;
-    static constexpr int rounds = 6;
-    static constexpr double growth = 8;
-};
-
 /// What a search remembers of its rounds.
 struct Rounds {
     int idle = 0;                    ///< how many have passed since one was kept
@@ -70,19 +44,6 @@ struct Rounds {
     int repairs = 0;                 ///< rounds since the last removal
     double controlPoints = infinity; ///< their number before the last removal
 };
-
-bool isAstrayFrom(const Fitted& before, const Fitted& found) {
-    const auto points = [](const Fitted& fitted) {
-        return static_cast<double>(controlPointCount(fitted.round.patches));
-    };
-    return found.farthest() > Astray::distance * before.farthest() ||
-           (points(found) > Astray::points * points(before) &&
-            found.farthest() > Astray::gain * before.farthest());
-}
-
-bool isStuckAt(const Fitted& before, const Fitted& found) {
-    return found.farthest() > std::max(Stuck::distance, Stuck::gain * before.farthest());
-}
 
 std::vector<bool> softPatches(const FitProblem& problem, const std::optional<Restart>& restart) {
     return restart ? restart->isSoft : std::vector<bool>(problem.layout.segments.size());
@@ -270,14 +231,6 @@ private:
 };
 
 } // namespace
-
-double Fitted::farthest() const {
-    return std::ranges::max(round.distances);
-}
-
-bool Fitted::isHopeless() const {
-    return followsNoise || farthest() > Hopeless::distance;
-}
 
 Fitted attemptFit(const FitProblem& problem, const SmoothFitOptions& options,
                   const std::optional<Restart>& restart, bool isLast, const Control& control) {

@@ -4,22 +4,12 @@
 #include "base/control.h"
 #include "bspline/fitting/fit_options.h"
 #include "bspline/fitting/fit_problem.h"
-#include "bspline/fitting/fit_round.h"
+#include "bspline/fitting/fitted.h"
 
 #include <optional>
 #include <vector>
 
 namespace qm {
-
-struct Fitted {
-    FitRound round;            ///< with verified distances
-    bool followsNoise = false; ///< took very many control points, which hardly brought it nearer
-
-    [[nodiscard]] double farthest() const;
-    /// Whether neither mending nor another attempt will bring the fit within the tolerance: it is far away,
-    /// or follows noise.
-    [[nodiscard]] bool isHopeless() const;
-};
 
 /// What an attempt begins with instead of the fewest knots.
 struct Restart {

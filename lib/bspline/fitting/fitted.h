@@ -1,0 +1,34 @@
+/// \file A verified fit, and whether going on from it is worth while.
+#pragma once
+
+#include "bspline/fitting/fit_round.h"
+
+namespace qm {
+
+/// A fit that is so many tolerances away will not come within one. It is not verified again and not attempted
+/// anew, and its search ends if this many rounds together do not halve the distance. Nor will a fit for which
+/// so many times the control points of its first round do not halve it: it follows noise.
+struct Hopeless {
+    static constexpr double distance = 1000;
+    static constexpr int rounds = 6;
+    static constexpr double growth = 8;
+};
+
+struct Fitted {
+    FitRound round;            ///< with verified distances
+    bool followsNoise = false; ///< took very many control points, which hardly brought it nearer
+
+    [[nodiscard]] double farthest() const;
+    /// Whether neither mending nor another attempt will bring the fit within the tolerance: it is far away,
+    /// or follows noise.
+    [[nodiscard]] bool isHopeless() const { return followsNoise || farthest() > Hopeless::distance; }
+};
+
+/// Whether a verification finds a distance larger than the previous one by a factor, or more control points
+/// without a gain in distance: more rounds would add ever more knots.
+[[nodiscard]] bool isAstrayFrom(const Fitted& before, const Fitted& found);
+
+/// Whether a verification finds it far from the tolerance, and hardly nearer than the previous one did.
+[[nodiscard]] bool isStuckAt(const Fitted& before, const Fitted& found);
+
+} // namespace qm
