@@ -21,7 +21,9 @@ constexpr std::size_t maxPerQuad = 4;
 class FirstSolution {
 public:
     FirstSolution(FitState& state, int slides)
-        : state_(state), setup_(state.setup()), slides_(slides), share_(setup_.sources.size(), 1) {
+        : state_(state), setup_(state.setup()), slides_(slides), share_(setup_.sources.size(), 1) {}
+
+    void solve() {
         std::vector<FitLattice> lattices = setup_.evenLattices();
         KnotPlan plan = setup_.firstKnots(lattices, share_);
         state_.begin(std::move(plan), std::move(lattices), slides_);
@@ -92,7 +94,9 @@ private:
 } // namespace
 
 void solveFirst(FitState& state, int slides, const std::function<bool()>& isStopRequested) {
-    FirstSolution(state, slides).unfold(isStopRequested);
+    FirstSolution first(state, slides);
+    first.solve();
+    first.unfold(isStopRequested);
 }
 
 } // namespace qm
