@@ -1,6 +1,7 @@
 #include "merge/across_cut.h"
 
 #include "enumerate/optimum/optimum.h"
+#include "enumerate/state/independent_parts.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,12 +9,14 @@
 namespace qm {
 namespace {
 
-/// Limits of the search of the whole mesh.
+/// Limits of the search of the whole mesh. What is hard is a part that is tied together, not the mesh: solids
+/// with sharp edges all over fall into thousands of small parts.
 struct WholeTuning {
-    /// Number of variables beyond which only the root of the search is relaxed: every node takes long there,
-    /// and few searches would end with a proof.
+    /// Number of variables beyond which only the root of the search of a part is relaxed: every node takes
+    /// long there, and few searches would end with a proof.
     static constexpr std::size_t rootOnly = 2500;
-    /// Number of variables beyond which even the root would take longer than all other stages together.
+    /// Number of variables, in all such parts together, beyond which even the roots would take longer than
+    /// all other stages together.
     static constexpr std::size_t maxVariables = 10000;
     /// Limit of the search tree of each part: most parts need a few dozen nodes, others many thousands.
     static constexpr std::size_t nodes = 100;
@@ -36,17 +39,26 @@ struct WindowTuning {
     static constexpr std::size_t maxWork = 200'000'000;
 };
 
+/// How many variables there are in independent parts of more than so many.
+std::size_t variablesOfParts(const Problem& problem, std::size_t minSize) {
+    std::size_t sum = 0;
+    for (const auto& part : independentParts(SearchState(problem)))
+        if (part.size() > minSize) sum += part.size();
+    return sum;
+}
+
 } // namespace
 
 std::optional<WholeSearch> searchWhole(const SearchSpace& space, const PresentArcs& present,
                                        const Control& control) {
     const Problem problem = makeProblem(wholeInput(space));
-    if (problem.arcs.size() > WholeTuning::maxVariables) return std::nullopt;
+    const std::size_t inLargeParts = variablesOfParts(problem, WholeTuning::rootOnly);
+    if (inLargeParts > WholeTuning::maxVariables) return std::nullopt;
     OptimumOptions options;
     options.start = assignmentOf(problem, present);
     options.nodes = WholeTuning::nodes;
     options.work = WholeTuning::work;
-    if (problem.arcs.size() > WholeTuning::rootOnly) {
+    if (inLargeParts > 0) {
         options.nodes = 1;
         options.large = WholeTuning::rootOnly; // faster, and better graphs are near approximate solutions
         options.cut = PartOptions::never;      // cuts solve the root many times

@@ -18,10 +18,10 @@ struct WholeSearch {
 };
 
 /// Searches the whole mesh at once. Most models are proven within a second, sooner than windows could improve
-/// the merged graph. Of larger ones only the root is searched, and nothing of the largest. The limits count
-/// variables and nodes, so the result does not depend on the machine.
+/// the merged graph. Where independent parts are large, only the roots are searched, and nothing where they
+/// are very large. The limits count variables and nodes, so the result does not depend on the machine.
 /// \param present  the arcs of a valid graph of the whole mesh
-/// \return nothing if the mesh has so many lines that the search would take too long
+/// \return nothing if so many lines depend on each other that the search would take too long
 [[nodiscard]] std::optional<WholeSearch> searchWhole(const SearchSpace& space, const PresentArcs& present,
                                                      const Control& control = {});
 

@@ -275,7 +275,7 @@ TEST_F(ModelTest, ConstraintsAreEdgesOfSeparatrices) {
         const std::vector<int> curve = document.root["features"]["curves"][0]["vertices"];
         if (std::find(curve.begin(), curve.end(), a) != curve.end()) continue;
         const std::string message = constrained({{"forbidden", {{{"vertices", {a, b}}}}}});
-        if (message == "") continue; // the edge lies on the seed's line
+        if (message.empty()) continue; // the edge lies on the seed's line
         EXPECT_TRUE(begins(
             message, "/constraints/forbidden/0/vertices/1: the edge to this vertex lies on no separatrix"))
             << message;
@@ -371,7 +371,7 @@ TEST_F(ModelTest, ATrackThatIsDeletedIsHonouredOrRefused) {
     for (std::size_t i = 0; i < tracks; ++i) {
         EXPECT_TRUE(begins(without(i, true), "/layout/")) << i;
         const std::string message = without(i, false);
-        if (message == "")
+        if (message.empty())
             ++honoured;
         else
             EXPECT_TRUE(begins(message, "/layout/tracks: do not cut the mesh into grids: ")) << message;

@@ -1,9 +1,11 @@
 #include "base/infinity.h"
 #include "enumerate/paper/plain_graph.h"
+#include "layout/cost.h"
 #include "layout/tracks.h"
 #include "merge/across_cut.h"
 #include "merge/graph_improver.h"
 #include "merge/improve.h"
+#include "mesh/dihedral.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 
@@ -104,6 +106,26 @@ TEST(SearchWhole, RelaxesOnlyTheRootOfLargerMeshes) {
     EXPECT_LT(cost, costOf(larger.space, larger.present) - 1);
     EXPECT_LE(whole->lowerBound, cost + 1e-6);
     EXPECT_FALSE(whole->relaxed.empty());
+}
+
+TEST(SearchWhole, ProvesLargeMeshesThatFallIntoSmallParts) {
+    constexpr int holes = 32;
+    test::Cells plate;
+    for (int x = 0; x <= 2 * holes; ++x)
+        for (int y = 0; y <= 2 * holes; ++y)
+            if (x % 2 == 0 || y % 2 == 0) plate.push_back({x, y, 0});
+    const QuadMesh mesh = test::quadMesh(test::polycube(plate));
+    const BaseComplex complex = buildBaseComplex(mesh);
+    const std::vector<double> costs = edgeCosts(dihedralAngles(mesh), {});
+    const SearchSpace space = makeSearchSpace(mesh, complex, {costs}, {}, {});
+    ASSERT_GT(makeProblem(wholeInput(space)).arcs.size(), 10000U);
+    const PresentArcs present =
+        presentArcs({mesh, complex, space.graph}, plainMotorcycleGraph(mesh, complex, costs).tracks);
+    const auto whole = searchWhole(space, present);
+    ASSERT_TRUE(whole);
+    EXPECT_TRUE(whole->proven);
+    EXPECT_TRUE(test::isMotorcycleGraph(space.graph, whole->present));
+    EXPECT_NEAR(costOf(space, whole->present), whole->lowerBound, 1e-6);
 }
 
 TEST(SearchWhole, LeavesLargeMeshesAlone) {
