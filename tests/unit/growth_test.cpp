@@ -1,5 +1,6 @@
 // The work of every stage must not grow much faster than the mesh. Allocated bytes are counted, because
 // anything that copies or collects parts of the mesh for every element shows in them, on every machine alike.
+#include "bspline/reference/planes/plane_growth.h"
 #include "cut/cut.h"
 #include "enumerate/enumerate.h"
 #include "enumerate/relaxation/column_state.h"
@@ -10,6 +11,7 @@
 #include "mesh/dihedral.h"
 #include "prune/prune.h"
 #include "shape/shape.h"
+#include "support/grid_layout.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 
@@ -107,6 +109,30 @@ double bytesOfFormulations(std::size_t solids) {
 TEST(Growth, AFormulationTakesNoMoreThanItsPart) {
     constexpr double maxGrowth = 1.01;
     EXPECT_LE(bytesOfFormulations(400), 4 * maxGrowth * bytesOfFormulations(100));
+}
+
+/// The bytes that the search for planes allocates on a sheet of so many quads along and across, which bends
+/// everywhere, but slowly.
+double bytesOfPlanes(int quads) {
+    const QuadMesh mesh = makeMesh({quads, quads, [&](double i, double j) {
+                                        const double x = i / quads, y = j / quads;
+                                        return Point(x, y, 0.1 * (x * x + y * y));
+                                    }});
+    std::vector<bool> isCrease(mesh.n_edges());
+    for (const EdgeId edge : mesh.edges())
+        isCrease[at(edge)] = mesh.is_boundary(edge);
+    std::vector<FlatQuad> flat;
+    for (const FaceId face : mesh.faces())
+        flat.push_back({mesh.calc_face_normal(face), 1});
+    constexpr double flatness = 2e-3;
+    const std::size_t before = bytesTaken;
+    (void)grownPlaneParts(mesh, isCrease, flat, flatness);
+    return static_cast<double>(bytesTaken - before);
+}
+
+TEST(Growth, PlanesAreLookedForInProportion) {
+    constexpr double maxGrowth = 1.3;
+    EXPECT_LE(bytesOfPlanes(400), 4 * maxGrowth * bytesOfPlanes(200));
 }
 
 TEST(Growth, NoStageTakesMuchMoreThanInProportion) {

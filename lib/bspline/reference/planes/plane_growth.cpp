@@ -16,6 +16,14 @@ constexpr int none = PlaneParts::none;
 /// Cosine of the angle between a plane and its quads: small ones may be tilted by roundings of vertices.
 constexpr double upright = 0.9;
 
+/// Where more than this share of the faces that a part grows over, and some more, have been tried before, it
+/// is given up: it would turn out too thick, as what was tried there did, and on fine meshes that bend slowly
+/// everything would be grown over again and again.
+struct Overlap {
+    static constexpr double share = 0.5;
+    static constexpr double some = 100;
+};
+
 class PlaneGrowth {
 public:
     PlaneGrowth(const QuadMesh& mesh, const std::vector<bool>& isCrease, const std::vector<FlatQuad>& quads,
@@ -80,7 +88,9 @@ private:
         for (std::size_t before = 0; faces.size() > before && liesIn(spread.plane, seed);) {
             before = faces.size();
             const Plane grownBy = spread.plane;
-            faces = grown(seed, grownBy);
+            bool isTriedAgain = false;
+            faces = grown(seed, grownBy, isTriedAgain);
+            if (isTriedAgain) break;
             spread = spreadOf(faces);
             for (const Plane& plane : {spread.plane, grownBy}) {
                 if (faces.size() < largest.faces.size() || !isIn(plane, spread)) continue;
@@ -98,11 +108,15 @@ private:
     }
 
     /// The seed, and the faces that lie in the plane and are connected with it.
-    [[nodiscard]] std::vector<FaceId> grown(FaceId seed, const Plane& plane) {
+    /// \param isTriedAgain  set where growth is given up, see `Overlap`; then not all faces are there
+    [[nodiscard]] std::vector<FaceId> grown(FaceId seed, const Plane& plane, bool& isTriedAgain) {
         ++visits_;
         std::vector<FaceId> faces{seed};
         visit_[at(seed)] = visits_;
-        for (std::size_t k = 0; k < faces.size(); ++k)
+        double tried = 0;
+        for (std::size_t k = 0; k < faces.size() && !isTriedAgain; ++k) {
+            tried += isTried_[at(faces[k])] ? 1 : 0;
+            isTriedAgain = tried > Overlap::some + Overlap::share * static_cast<double>(k);
             for (const HalfedgeId side : mesh_.fh_range(faces[k])) {
                 if (isCrease_[at(mesh_.edge_handle(side))]) continue;
                 const FaceId beside = mesh_.opposite_face_handle(side);
@@ -110,6 +124,7 @@ private:
                 visit_[at(beside)] = visits_;
                 faces.push_back(beside);
             }
+        }
         return faces;
     }
 
