@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace qm {
 namespace {
@@ -62,13 +63,20 @@ std::vector<int> postorder(const EliminationTree& tree) {
     return number;
 }
 
+/// Eigen's orderings sum up indices, and do not end where the sums become negative, so indices have 64 bits.
+Permutation minDegreeOrder(const Eigen::SparseMatrix<double>& lower) {
+    using Index = std::int64_t;
+    const Eigen::SparseMatrix<double, Eigen::ColMajor, Index> wide = lower;
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> inverse;
+    Eigen::AMDOrdering<Index>()(wide.selfadjointView<Eigen::Lower>(), inverse);
+    return Permutation(inverse.indices().cast<int>()).inverse();
+}
+
 } // namespace
 
 EliminationTree eliminationTree(const Eigen::SparseMatrix<double>& lower) {
     EliminationTree found;
-    Permutation inverse; // Eigen's orderings return the inverse
-    Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), inverse);
-    found.order = inverse.inverse();
+    found.order = minDegreeOrder(lower);
     Eigen::SparseMatrix<double> upper(lower.rows(), lower.cols());
     upper.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(found.order);
     growTree(upper, found);
