@@ -132,8 +132,7 @@ private:
 
     const Ties& ties_;
     IdVector<ItemId, std::size_t> taken_; ///< of every item, its crossings that are in the order already
-    IdVector<CrossingId, int>
-        changes_; ///< of the number of open items, if a crossing of the border came next
+    IdVector<CrossingId, int> changes_;   ///< of the number of open items, if a seen crossing came next
     IdVector<CrossingId, Seen> seen_;
     std::vector<CrossingId> reached_; ///< that have been seen
     std::set<std::pair<int, CrossingId>> border_;

@@ -78,6 +78,11 @@ private:
         Plane plane;
     };
 
+    struct Growth {
+        std::vector<FaceId> faces;
+        bool isGivenUp = false; ///< see `Overlap`; then not all faces are there
+    };
+
     /// A plane through few vertices may be tilted by their roundings, so it is found again as the part grows,
     /// until it turns away from the seed.
     void growFrom(FaceId seed) {
@@ -88,9 +93,9 @@ private:
         for (std::size_t before = 0; faces.size() > before && liesIn(spread.plane, seed);) {
             before = faces.size();
             const Plane grownBy = spread.plane;
-            bool isTriedAgain = false;
-            faces = grown(seed, grownBy, isTriedAgain);
-            if (isTriedAgain) break;
+            Growth growth = grown(seed, grownBy);
+            faces = std::move(growth.faces);
+            if (growth.isGivenUp) break;
             spread = spreadOf(faces);
             for (const Plane& plane : {spread.plane, grownBy}) {
                 if (faces.size() < largest.faces.size() || !isIn(plane, spread)) continue;
@@ -108,15 +113,15 @@ private:
     }
 
     /// The seed, and the faces that lie in the plane and are connected with it.
-    /// \param isTriedAgain  set where growth is given up, see `Overlap`; then not all faces are there
-    [[nodiscard]] std::vector<FaceId> grown(FaceId seed, const Plane& plane, bool& isTriedAgain) {
+    [[nodiscard]] Growth grown(FaceId seed, const Plane& plane) {
         ++visits_;
-        std::vector<FaceId> faces{seed};
+        Growth growth{{seed}};
+        std::vector<FaceId>& faces = growth.faces;
         visit_[at(seed)] = visits_;
         double tried = 0;
-        for (std::size_t k = 0; k < faces.size() && !isTriedAgain; ++k) {
+        for (std::size_t k = 0; k < faces.size() && !growth.isGivenUp; ++k) {
             tried += isTried_[at(faces[k])] ? 1 : 0;
-            isTriedAgain = tried > Overlap::some + Overlap::share * static_cast<double>(k);
+            growth.isGivenUp = tried > Overlap::some + Overlap::share * static_cast<double>(k);
             for (const HalfedgeId side : mesh_.fh_range(faces[k])) {
                 if (isCrease_[at(mesh_.edge_handle(side))]) continue;
                 const FaceId beside = mesh_.opposite_face_handle(side);
@@ -125,7 +130,7 @@ private:
                 faces.push_back(beside);
             }
         }
-        return faces;
+        return growth;
     }
 
     [[nodiscard]] bool liesIn(const Plane& plane, FaceId face) const {
