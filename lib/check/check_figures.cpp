@@ -109,15 +109,17 @@ private:
         if (fromFacets_ && plain > *fromFacets_ + slackOf(*fromFacets_)) {
             const double slack = slackOf(*fromFacets_);
             const double limit = *fromFacets_ + slack;
-            double error = distances_.toMesh.from(on, cell.face, startIn(cell, s, t), limit);
-            if (error <= limit) error = distances_.toSurfaces.from(of, cell.face, {s, t}, limit);
+            double error = distances_.toMesh.from(on, cell.face, startIn(cell, s, t), limit, lastOfMesh_);
+            if (error <= limit)
+                error = distances_.toSurfaces.from(of, cell.face, {s, t}, limit, lastOfSurfaces_);
             if (checkFigure(part_, patch_, {"maxFromFacets", error, slack, placeOf(cell)}, report_))
                 return true;
         }
         const bool atVertex = i % samplesPerEdge == 0 && j % samplesPerEdge == 0;
         if (!atVertex || !fromVertices_ || plain <= *fromVertices_ + slackOf(*fromVertices_)) return false;
         const double slack = slackOf(*fromVertices_);
-        const double error = distances_.toSurfaces.from(of, cell.face, {s, t}, *fromVertices_ + slack);
+        const double error =
+            distances_.toSurfaces.from(of, cell.face, {s, t}, *fromVertices_ + slack, lastOfSurfaces_);
         return checkFigure(part_, patch_, {"maxFromVertices", error, slack, placeOf(cell)}, report_);
     }
 
@@ -159,6 +161,7 @@ private:
     std::vector<int> vertices_;                       ///< of the segment's grid
     std::optional<double> fromFacets_, fromVertices_; ///< as stated
     bool mayFold_;
+    LastFace lastOfMesh_, lastOfSurfaces_;
 };
 
 } // namespace

@@ -31,7 +31,10 @@ double angleBetween(const SurfacePoint& a, const SurfacePoint& b) {
 class MeetingCheck {
 public:
     MeetingCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report)
-        : around_(context.around), layout_(layout), part_(part), report_(report) {}
+        : around_(context.around), layout_(layout), part_(part), report_(report) {
+        for (const Patch& patch : part.patches)
+            rounding_.push_back(1e-12 * largestCoordinate(patch.controlPoints));
+    }
 
     void run() {
         for (std::size_t p = 0; p < part_.patches.size(); ++p)
@@ -83,8 +86,7 @@ private:
 
     bool hasGap(std::size_t p, const SurfacePoint& left, const SurfacePoint& right,
                 const std::string& where) {
-        const double rounding = 1e-12 * largestCoordinate(part_.patches[p].controlPoints);
-        return checkFigure(part_, p, {"largestGap", distance(left.point, right.point), rounding, where},
+        return checkFigure(part_, p, {"largestGap", distance(left.point, right.point), rounding_[p], where},
                            report_);
     }
 
@@ -131,7 +133,8 @@ private:
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     Report& report_;
-    std::vector<bool> isCrease_; ///< by edge; if creases are given
+    std::vector<double> rounding_; ///< by patch: length of a gap that rounding alone may make
+    std::vector<bool> isCrease_;   ///< by edge; if creases are given
 };
 
 } // namespace

@@ -241,8 +241,9 @@ private:
                 const Place& of = lattice[j * width + i];
                 fromReference_.add(fromSurfaces(p, {us[i], vs[j]}, of, face, fromReference_.largest));
                 const double fromFacet = distance(on.point, bilinear(corners, i, j));
-                fromFacets_.add(fromFacet <= fromFacets_.largest ? fromFacet
-                                                                 : toMesh_.from(on.point, face, {0.5, 0.5}));
+                fromFacets_.add(fromFacet <= fromFacets_.largest
+                                    ? fromFacet
+                                    : toMesh_.from(on.point, face, {0.5, 0.5}, 0, last_));
                 if (i + 1 == width || j + 1 == width) continue;
                 const Place across = minus(lattice[(j + 1) * width + i + 1], of);
                 const Place other = minus(lattice[(j + 1) * width + i], lattice[j * width + i + 1]);
@@ -354,6 +355,7 @@ private:
     const CheckedMesh& mesh_;
     Neighbourhoods around_;
     DistanceToMesh toMesh_;
+    LastFace last_;
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     std::vector<std::vector<BorderPlace>> borders_;

@@ -79,11 +79,19 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
 
 double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point,
                       double enough) {
-    const BilinearQuad quad = quadOf(mesh, face);
+    const auto corners = quadOf(mesh, face).corners;
+    const Vector alongS = minus(corners[1], corners[0]);
+    const Vector alongT = minus(corners[3], corners[0]);
+    const Vector twist = minus(minus(corners[2], corners[3]), alongS);
     const auto surface = [&](const Parameters& at) {
         const auto& [s, t] = at;
-        return SurfacePoint{quad.at(s, t), minus(quad.at(1, t), quad.at(0, t)),
-                            minus(quad.at(s, 1), quad.at(s, 0))};
+        SurfacePoint here;
+        for (std::size_t k = 0; k < 3; ++k) {
+            here.alongU[k] = alongS[k] + t * twist[k];
+            here.alongV[k] = alongT[k] + s * twist[k];
+            here.point[k] = corners[0][k] + s * here.alongU[k] + t * alongT[k];
+        }
+        return here;
     };
     return nearest(surface, start, {1, 1}, point, enough);
 }
@@ -114,8 +122,9 @@ DistanceToMesh::DistanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& ar
           return places;
       }) {}
 
-double DistanceToMesh::from(const Place& point, int face, const Parameters& start, double limit) const {
-    return search_.nearest(point, face, start, limit, [&](int near, const Parameters& within) {
+double DistanceToMesh::from(const Place& point, int face, const Parameters& start, double limit,
+                            LastFace& last) const {
+    return search_.nearest(point, face, start, limit, last, [&](int near, const Parameters& within) {
         return distanceToFace(mesh_, near, within, point, limit);
     });
 }
@@ -144,8 +153,9 @@ DistanceToSurfaces::DistanceToSurfaces(const CheckedMesh& mesh, const Neighbourh
     }
 }
 
-double DistanceToSurfaces::from(const Place& point, int face, const Parameters& within, double limit) const {
-    return search_.nearest(point, face, within, limit, [&](int near, const Parameters& parameters) {
+double DistanceToSurfaces::from(const Place& point, int face, const Parameters& within, double limit,
+                                LastFace& last) const {
+    return search_.nearest(point, face, within, limit, last, [&](int near, const Parameters& parameters) {
         const SurfacesPart::Patch& patch = part_.patches[places_[at(near)].patch];
         return distanceToPatch(patch, inPatch(at(near), parameters), point, limit);
     });

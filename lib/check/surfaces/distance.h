@@ -8,7 +8,7 @@
 #include "check/surfaces/search_starts.h"
 #include "check/surfaces/spline.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -24,9 +24,15 @@ namespace qm::check {
 [[nodiscard]] double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters,
                                      const Place& point, double enough = 0);
 
-/// Looks for the nearest point over the faces of a mesh: from a place on a face and, if that is farther than
-/// a limit, from the middles of the faces beside it, where it is if surfaces have slid a little, then from
-/// everywhere.
+/// Where the search from a point ended: surfaces that have slid have slid as far beside it, so that the
+/// search from the next point begins there as well.
+struct LastFace {
+    int face = -1; ///< -1: none yet
+};
+
+/// Looks for a point within a limit, or else for the nearest one, over the faces of a mesh: from the middle
+/// of the last face and from a place on a face, then from the middles of the faces beside the nearer of them,
+/// and so on, where it is if surfaces have slid; then from everywhere.
 class FaceSearch {
 public:
     /// Mesh and neighbourhoods must outlive this.
@@ -36,11 +42,24 @@ public:
     /// \param search  from parameters in a face, for a distance
     template <class Search>
     [[nodiscard]] double nearest(const Place& point, int face, const Parameters& within, double limit,
-                                 const Search& search) const {
-        double nearest = search(face, within);
-        for (std::size_t side = 0; side < 4 && nearest > limit; ++side)
-            if (const int beside = faceBeside(face, side); beside >= 0)
-                nearest = std::min(nearest, search(beside, Parameters{0.5, 0.5}));
+                                 LastFace& last, const Search& search) const {
+        double nearest = HUGE_VAL;
+        const auto isNearer = [&](int other, const Parameters& from) {
+            if (other < 0 || nearest <= limit) return false;
+            const double there = search(other, from);
+            if (!(there < nearest)) return false;
+            nearest = there;
+            return true;
+        };
+        const Parameters middle{0.5, 0.5};
+        const bool fromLast = last.face != face && isNearer(last.face, middle);
+        if (!isNearer(face, within) && fromLast) face = last.face;
+        for (int next = face; nearest > limit; face = next) {
+            for (std::size_t side = 0; side < 4; ++side)
+                if (const int beside = faceBeside(face, side); isNearer(beside, middle)) next = beside;
+            if (next == face) break;
+        }
+        last.face = face;
         if (nearest <= limit) return nearest;
         return starts_.nearest(point, nearest, limit, [&](const Start& start) {
             return search(static_cast<int>(start.part), start.parameters);
@@ -65,7 +84,8 @@ public:
     /// To a face, and if that is farther than the limit, to whatever may be nearer. Never less than the true
     /// distance.
     /// \param start  parameters in the face
-    [[nodiscard]] double from(const Place& point, int face, const Parameters& start, double limit = 0) const;
+    [[nodiscard]] double from(const Place& point, int face, const Parameters& start, double limit,
+                              LastFace& last) const;
 
 private:
     const CheckedMesh& mesh_;
@@ -83,7 +103,8 @@ public:
     /// nearer: surfaces may slide into other patches, a patch may meet itself, and a reference of another
     /// shape draws surfaces away from their faces. Never less than the true distance.
     /// \param within  the face: both parameters from 0 to 1, in the order of its patch
-    [[nodiscard]] double from(const Place& point, int face, const Parameters& within, double limit) const;
+    [[nodiscard]] double from(const Place& point, int face, const Parameters& within, double limit,
+                              LastFace& last) const;
 
 private:
     struct FacePlace {

@@ -96,9 +96,34 @@ TEST(CheckDistance, ToAMeshIsThatToItsNearestFace) {
     const Neighbourhoods around(mesh);
     const DistanceToMesh distance(mesh, around);
     const Parameters middle{0.5, 0.5};
-    EXPECT_NEAR(distance.from({3.3, 1.6, 0.25}, 0, middle), 0.25, 1e-12);
-    EXPECT_NEAR(distance.from({0.5, -0.3, 0.4}, 0, middle), 0.5, 1e-12);
-    EXPECT_NEAR(distance.from({-3, -4, 0}, 7, middle), 5, 1e-12);
+    LastFace last;
+    EXPECT_NEAR(distance.from({3.3, 1.6, 0.25}, 0, middle, 0, last), 0.25, 1e-12);
+    EXPECT_NEAR(distance.from({0.5, -0.3, 0.4}, 0, middle, 0, last), 0.5, 1e-12);
+    EXPECT_NEAR(distance.from({-3, -4, 0}, 7, middle, 0, last), 5, 1e-12);
+}
+
+TEST(CheckDistance, TheSearchBeginsWhereThatBeforeItEnded) {
+    const std::string row(100, 'x');
+    const CheckedMesh mesh = plane({row.c_str()});
+    const Neighbourhoods around(mesh);
+    int searches = 0;
+    const FaceSearch faces(mesh, around, [](std::size_t, const auto&) -> std::vector<Place> {
+        throw std::logic_error("everything is searched");
+    });
+    LastFace last;
+    const auto distanceTo = [&](const Place& point, int face) {
+        return faces.nearest(point, face, {0.5, 0.5}, 0.5, last, [&](int near, const Parameters& from) {
+            ++searches;
+            return distanceToFace(mesh, near, from, point);
+        });
+    };
+    EXPECT_NEAR(distanceTo({60.5, 0.5, 0.5}, 0), 0.5, 1e-12);
+    EXPECT_EQ(last.face, 60);
+    EXPECT_GE(searches, 61);
+    searches = 0;
+    EXPECT_NEAR(distanceTo({61.5, 0.5, 0.5}, 1), 0.5, 1e-12);
+    EXPECT_EQ(last.face, 61);
+    EXPECT_LE(searches, 6);
 }
 
 TEST(CheckDistance, ToABilinearFace) {
@@ -108,8 +133,9 @@ TEST(CheckDistance, ToABilinearFace) {
     const DistanceToMesh distance(mesh, around);
     const Place middle = quadOf(mesh, 0).at(0.5, 0.5);
     EXPECT_EQ(middle, (Place{0.5, 0.5, 0.25}));
-    EXPECT_NEAR(distance.from(middle, 0, {0, 0}), 0, 1e-12);
-    EXPECT_NEAR(distance.from({0.25, 0.75, 0.1875}, 0, {0.5, 0.5}), 0, 1e-9);
+    LastFace last;
+    EXPECT_NEAR(distance.from(middle, 0, {0, 0}, 0, last), 0, 1e-12);
+    EXPECT_NEAR(distance.from({0.25, 0.75, 0.1875}, 0, {0.5, 0.5}, 0, last), 0, 1e-9);
 }
 
 TEST(CheckDistance, ToAPatch) {
