@@ -1,14 +1,14 @@
 #include "bspline/reference/limit/unfolded_lattice.h"
 
 #include "base/at.h"
+#include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "bspline/reference/bending/edge_curves.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/splines/spline_curve.h"
-#include "mesh/parallel_elements.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -33,14 +33,14 @@ public:
           edgeStages_(mesh_.n_edges(), interpolated) {}
 
     void run() {
-        if (!findFolds()) return;
+        std::vector<FaceId> folded = foldedAmong(std::vector<FaceId>(mesh_.faces_begin(), mesh_.faces_end()));
+        if (folded.empty()) return;
         const MeshLattice before = lattice_;
         const EdgeCurves curves(mesh_, sharpness_, corners_);
-        for (int pass = 0; pass < maxPasses; ++pass) {
-            for (const EdgeId edge : mesh_.edges())
-                redraw(edge, curves);
-            parallelForFaces(mesh_, jobs_, [&](FaceId face) { fill(face, before); });
-            if (!findFolds()) return;
+        for (int pass = 0; pass < maxPasses && !folded.empty(); ++pass) {
+            const std::vector<FaceId> changed = redrawAround(folded, curves);
+            parallelForMany(changed.size(), jobs_, [&](std::size_t k) { fill(changed[k], before); });
+            folded = foldedAmong(changed);
         }
     }
 
@@ -53,30 +53,50 @@ private:
     }
 
     /// Faces that were drawn along with their neighbours may fold for that reason.
-    /// \return whether more can be done about any
-    bool findFolds() {
-        std::atomic<bool> isNew = false;
-        parallelForFaces(mesh_, jobs_, [&](FaceId face) {
-            Stage& stage = faceStages_[at(face)];
-            if (stage == straight || !isUpright_[at(face)] || !test_.foldsOver(face)) return;
+    /// \return those about which more can be done
+    std::vector<FaceId> foldedAmong(const std::vector<FaceId>& faces) {
+        std::vector<char> isFolded(faces.size());
+        parallelForMany(faces.size(), jobs_, [&](std::size_t k) {
+            Stage& stage = faceStages_[at(faces[k])];
+            if (stage == straight || !isUpright_[at(faces[k])] || !test_.foldsOver(faces[k])) return;
             stage = static_cast<Stage>(stage + 1);
-            isNew = true;
+            isFolded[k] = 1;
         });
-        return isNew;
+        std::vector<FaceId> folded;
+        for (std::size_t k = 0; k < faces.size(); ++k)
+            if (isFolded[k] != 0) folded.push_back(faces[k]);
+        return folded;
+    }
+
+    /// \return the faces, and those beside an edge whose curve has changed
+    std::vector<FaceId> redrawAround(std::vector<FaceId> faces, const EdgeCurves& curves) {
+        const std::size_t count = faces.size();
+        for (std::size_t k = 0; k < count; ++k)
+            for (const EdgeId edge : mesh_.fe_range(faces[k])) {
+                if (!redraw(edge, curves)) continue;
+                for (const unsigned side : {0U, 1U})
+                    if (const FaceId face = mesh_.face_handle(mesh_.halfedge_handle(edge, side));
+                        face.is_valid())
+                        faces.push_back(face);
+            }
+        sortUnique(faces);
+        return faces;
     }
 
     /// Draws the curve above an edge as the faces beside it demand.
-    void redraw(EdgeId edge, const EdgeCurves& curves) {
+    /// \return whether it has changed
+    bool redraw(EdgeId edge, const EdgeCurves& curves) {
         const Stage stage = stageBeside(edge);
         Stage& drawn = edgeStages_[at(edge)];
-        if (stage <= drawn) return;
-        if (stage == betweenEnds && sharpness_.edges[at(edge)] && !turnsBack(edge)) return;
+        if (stage <= drawn) return false;
+        if (stage == betweenEnds && sharpness_.edges[at(edge)] && !turnsBack(edge)) return false;
         drawn = stage;
         const HalfedgeId halfedge = mesh_.halfedge_handle(edge, 0);
         if (stage == betweenEnds)
             drawBetweenEnds(halfedge, curves);
         else
             straighten(halfedge, stage == straight ? 1 : 0.5);
+        return true;
     }
 
     /// The later stage of the faces beside an edge, but the first change only where both are upright: what
