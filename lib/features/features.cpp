@@ -6,6 +6,7 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <numeric>
 
@@ -86,8 +87,20 @@ private:
             return isRegular(mesh_, lineEnd) ||
                    (last - first > options_.zeta && lengthOf(first, last) >= minDistance_);
         };
-        return isFar(mesh_.from_vertex_handle(line_.halfedges.front()), 0, begin) &&
-               isFar(mesh_.to_vertex_handle(line_.halfedges.back()), end, count_);
+        return (isFar(mesh_.from_vertex_handle(line_.halfedges.front()), 0, begin) ||
+                isCrossed(mesh_.opposite_halfedge_handle(halfedgeAt(begin)))) &&
+               (isFar(mesh_.to_vertex_handle(line_.halfedges.back()), end, count_) ||
+                isCrossed(halfedgeAt(end - 1)));
+    }
+
+    /// Whether a sharp line crosses where a curve arrives. Its track stops whatever comes from beyond, so
+    /// that sources there are of no use to the curve.
+    [[nodiscard]] bool isCrossed(HalfedgeId arriving) const {
+        if (!continuesStraight(mesh_, mesh_.to_vertex_handle(arriving))) return false;
+        const HalfedgeId back = mesh_.opposite_halfedge_handle(arriving);
+        return std::ranges::all_of(
+            std::array{mesh_.cw_rotated_halfedge_handle(back), mesh_.ccw_rotated_halfedge_handle(back)},
+            [&](HalfedgeId across) { return angle(across) > options_.shortRho; });
     }
 
     /// The length of the edges between two positions; on a closed line, positions continue beyond its end.

@@ -37,8 +37,9 @@ struct Features {
 };
 
 /// Finds all maximal curves, in time linear in the mesh, ordered by their lowest edge index. If the line
-/// beyond an end is closed or reaches the boundary first, the end counts as infinitely far from extraordinary
-/// vertices. A curve without an admissible seed is left out.
+/// beyond an end is closed or reaches the boundary first, or a line whose edges are sharper than `shortRho`
+/// crosses there, the end counts as infinitely far from extraordinary vertices. A curve without an admissible
+/// seed is left out.
 [[nodiscard]] Features findFeatures(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                                     const FeatureOptions& options);
 

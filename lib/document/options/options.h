@@ -82,7 +82,8 @@ template <class Visitor> void describe(FeatureOptions& options, Visitor&& option
            "radians, and it ends at the boundary or at other edges as sharp; pi leaves out all such curves");
     option("zeta", options.zeta, Range{0, maxCount},
            "the ends of a curve are more than this many edges, along its line, from every extraordinary "
-           "vertex; the paper uses 30. With this option --min-distance is 0 unless given");
+           "vertex, unless a line sharper than short-rho crosses there; the paper uses 30. With this option "
+           "--min-distance is 0 unless given");
     option("max-roundness", options.maxRoundness, Range{0, 1},
            "leave out curves beside which the surface bends by more than this share of their own bend, as it "
            "does on a tube of few quads around; 1 leaves out nothing");

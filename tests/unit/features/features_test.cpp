@@ -230,6 +230,17 @@ private:
         return true;
     }
 
+    /// Whether both edges across the end of a halfedge are sharper than `shortRho`.
+    bool isCrossed(HalfedgeId halfedge) const {
+        const VertexId vertex = mesh_.to_vertex_handle(halfedge);
+        if (!continuesStraight(mesh_, vertex)) return false;
+        const EdgeId own = mesh_.edge_handle(halfedge);
+        const EdgeId ahead = mesh_.edge_handle(straightOn(mesh_, halfedge));
+        for (const EdgeId edge : mesh_.ve_range(vertex))
+            if (edge != own && edge != ahead && angles_[at(edge)] <= options_.shortRho) return false;
+        return true;
+    }
+
     /// Adds the sharp edges ahead to the run.
     /// \return whether the end is far enough from extraordinary vertices
     bool extend(HalfedgeId halfedge, std::set<int>& run) const {
@@ -240,6 +251,7 @@ private:
             if (!run.insert(mesh_.edge_handle(next).idx()).second) return true; // all round a closed line
             halfedge = next;
         }
+        if (isCrossed(halfedge)) return true;
         double length = 0;
         for (int distance = 0; distance <= options_.zeta || length < options_.minDistance.value; ++distance) {
             const VertexId vertex = mesh_.to_vertex_handle(halfedge);
