@@ -173,6 +173,13 @@ objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
     assert_regex "$stderr" '/constraints: the layout does not obey them'
 }
 
+@test "options of the smoothness criterion are wrong without it" {
+    for option in max-turn min-corner max-sharp-turn; do
+        misused qm-prune --no-smooth "--$option" 30 "$(stage layout block)"
+        assert_regex "$stderr" "$option has no effect without the smoothness criterion"
+    done
+}
+
 @test "options out of range" {
     for options in '--eta x' '--eta nan' '--max-turn -1' '--max-turn 181' '--max-turn' '--max-sharp-turn -1' '--max-sharp-turn 181' '--beta -1' '--beta 1e300' '--max-segments -1' '--method best' '--time-limit x'; do
         # shellcheck disable=SC2086  # a list of words

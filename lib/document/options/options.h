@@ -176,7 +176,8 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
 template <class Visitor> void conditions(const PruneOptions& options, Visitor&& needs) {
     const auto optimum = [&options] { return options.method == PruneMethod::optimum; };
     needs({"eta"}, "--method greedy", [&options] { return options.method == PruneMethod::greedy; });
-    needs({"max-turn", "min-corner"}, "the smoothness criterion", [&options] { return options.smooth; });
+    needs({"max-turn", "min-corner", "max-sharp-turn"}, "the smoothness criterion",
+          [&options] { return options.smooth; });
     needs({"beta", "fewest-patches", "max-segments"}, "--method optimum", optimum);
     needs({"beta"}, "segments whose number is free",
           [&options] { return !options.fewestPatches && !std::isfinite(options.maxSegments); });
