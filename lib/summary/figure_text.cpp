@@ -18,6 +18,14 @@ std::string figureText(double value) {
     return text;
 }
 
+std::array<std::string, 2> figuresApart(double one, double other) {
+    constexpr int usual = 3, longest = 17; // digits; no double has more
+    std::array texts{figureText(one), figureText(other)};
+    for (int digits = usual + 1; texts[0] == texts[1] && digits <= longest; ++digits)
+        texts = {roundedText(one, digits), roundedText(other, digits)};
+    return texts;
+}
+
 std::string pointText(const Point& point, double extent) {
     constexpr double rounding = 1e-12; // what it leaves of zero, beside the other coordinates and the model
     const double nothing = rounding * std::max(point.norm(), extent);

@@ -20,9 +20,10 @@ std::size_t cavityCount(const QuadMesh& mesh) {
 
 std::string missedTolerance(const Summary& summary, const std::string& unit) {
     const FitSummary& fit = *summary.fit;
-    return "the tolerance is missed: " + figureText(fit.deviation.max) + unit + " where " +
-           figureText(fit.tolerance) + unit + " are allowed, " + placeText(fit.farthest, summary.diagonal) +
-           ". Allow more, or " + (fit.scan ? "make more quads of the scan" : "mend the mesh there");
+    const auto [found, allowed] = figuresApart(fit.deviation.max, fit.tolerance);
+    return "the tolerance is missed: " + found + unit + " where " + allowed + unit + " are allowed, " +
+           placeText(fit.farthest, summary.diagonal) + ". Allow more, or " +
+           (fit.scan ? "make more quads of the scan" : "mend the mesh there");
 }
 
 /// A scan that is farther away somewhere than its noise explains shows what the surfaces do not: of many
@@ -35,9 +36,9 @@ double farFromScan(const FitSummary& fit) {
 
 std::string scanTooFarAway(const Summary& summary, const std::string& unit) {
     const FitSummary& fit = *summary.fit;
-    return "the scan is up to " + figureText(fit.scan->max) + unit +
-           " away where tolerance and noise explain " + figureText(farFromScan(fit)) + unit + ", " +
-           placeText(fit.farthestFromScan, summary.diagonal) +
+    const auto [found, explained] = figuresApart(fit.scan->max, farFromScan(fit));
+    return "the scan is up to " + found + unit + " away where tolerance and noise explain " + explained +
+           unit + ", " + placeText(fit.farthestFromScan, summary.diagonal) +
            ": it shows something there that the quads do not. Make more quads of it, or mend it";
 }
 
@@ -95,10 +96,11 @@ std::vector<std::string> unmetLimits(const Summary& summary, const Limits& limit
         unmet.push_back(missedTolerance(summary, length));
     else if (fit.scan && fit.scan->max > farFromScan(fit))
         unmet.push_back(scanTooFarAway(summary, length));
-    if (fit.deviation.largestNormalAngle > limits.maxNormalAngle)
-        unmet.push_back("normals differ by " + figureText(fit.deviation.largestNormalAngle) +
-                        " degrees across a smooth border where " + figureText(limits.maxNormalAngle) +
+    if (fit.deviation.largestNormalAngle > limits.maxNormalAngle) {
+        const auto [found, allowed] = figuresApart(fit.deviation.largestNormalAngle, limits.maxNormalAngle);
+        unmet.push_back("normals differ by " + found + " degrees across a smooth border where " + allowed +
                         " are allowed. Give a larger tolerance, or a finer mesh");
+    }
     if (summary.loops.empty() && !isSolid(summary))
         unmet.push_back("patches are " + figureText(fit.deviation.largestGap) + length +
                         " apart, so the closed mesh gives no solid. Scale it down, or move it to the origin");

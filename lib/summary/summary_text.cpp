@@ -41,11 +41,16 @@ std::string shapeText(const Summary& summary, const std::string& unit) {
     return summary.fit ? "closed, but patches are apart" : "closed";
 }
 
+/// Per cent of the tolerance; more than 100 wherever it is missed.
+std::string shareText(const FitSummary& fit) {
+    const double percent = 100 * fit.deviation.max / fit.tolerance;
+    return fit.deviation.max > fit.tolerance ? figuresApart(percent, 100)[0] : figureText(percent);
+}
+
 std::string deviationLines(const FitSummary& fit, double diagonal, const std::string& unit) {
     std::string text = figureText(fit.deviation.max) + " " + unit + (fit.scan ? " without it" : "");
     if (fit.smooth)
-        text += ", " + figureText(100 * fit.deviation.max / fit.tolerance) + "% of the tolerance, " +
-                figureText(fit.tolerance) + " " + unit;
+        text += ", " + shareText(fit) + "% of the tolerance, " + figureText(fit.tolerance) + " " + unit;
     text = line("deviation", text) + line("  largest", placeText(fit.farthest, diagonal));
     // Of fine meshes it is about the same; between the vertices of coarse ones, a smooth surface bulges.
     if (fit.smooth && !fit.scan && fit.deviation.maxFromFacets > fit.tolerance)

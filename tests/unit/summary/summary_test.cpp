@@ -18,6 +18,17 @@ TEST(FigureText, HasThreeDigitsAndFewExponents) {
     EXPECT_EQ(figureText(1.2345e20), "1.23e+20");
 }
 
+TEST(FigureText, FiguresThatDifferAreToldApart) {
+    const auto apart = [](double one, double other) {
+        const auto texts = figuresApart(one, other);
+        return texts[0] + " " + texts[1];
+    };
+    EXPECT_EQ(apart(0.25, 0.1), "0.25 0.1");
+    EXPECT_EQ(apart(0.50012, 0.5), "0.5001 0.5");
+    EXPECT_EQ(apart(0.4998, 0.4996), "0.4998 0.4996");
+    EXPECT_EQ(apart(12345.4, 12345.2), "12345.4 12345.2");
+}
+
 TEST(FigureText, PointsLeaveOutWhatRoundingLeft) {
     EXPECT_EQ(pointText({1, -2e-17, 3.14159}, 2), "(1, 0, 3.14)");
     EXPECT_EQ(pointText({1000001.2345, -1.5, 0}, 4.7), "(1000001.23, -1.5, 0)");
@@ -110,6 +121,18 @@ TEST(Summary, LimitsAreToldWithFiguresAndPlace) {
               "the tolerance is missed: 0.25 mm where 0.1 mm are allowed, in patch 4 at (1, 2, 3)");
     EXPECT_NE(unmet[2].find("normals differ by 2 degrees across a smooth border where 1.5 are"),
               std::string::npos);
+}
+
+TEST(Summary, WhatIsJustMissedIsToldApartFromItsLimit) {
+    Summary summary = good();
+    summary.fit->deviation.max = 0.100012;
+    summary.fit->deviation.largestNormalAngle = 1.00012;
+    const auto unmet = unmetLimits(summary, {}, "mm");
+    ASSERT_EQ(unmet.size(), 2U);
+    EXPECT_NE(unmet[0].find("missed: 0.10001 mm where 0.1 mm are"), std::string::npos) << unmet[0];
+    EXPECT_NE(unmet[1].find("by 1.0001 degrees across a smooth border where 1 are"), std::string::npos);
+    const std::string text = summaryText(summary, "part", "mm", std::nullopt);
+    EXPECT_NE(text.find("0.1 mm, 100.01% of the tolerance, 0.1 mm"), std::string::npos) << text;
 }
 
 TEST(Summary, WhatInterpolatesPromisesNothing) {
