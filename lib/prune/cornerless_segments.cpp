@@ -57,8 +57,8 @@ std::vector<SourcelessComponent> sourcelessComponents(const QuadMesh& mesh, cons
 
 } // namespace
 
-void addAnnuli(const QuadMesh& mesh, const std::vector<ArcId>& arcOf, GridProgram& grids) {
-    const AnnulusBands bands = annulusBands(mesh, arcOf);
+void addAnnuli(const QuadMesh& mesh, GridProgram& grids) {
+    const AnnulusBands bands = annulusBands(mesh, grids.arcOf);
     std::vector<ColumnId> columns; // for every band, 1 if it lies in an annulus
     for (const std::vector<ArcId>& across : bands.across) {
         columns.push_back(grids.addIndicator({across, OneIf::noneIsIn}, 4));
@@ -75,9 +75,9 @@ void addAnnuli(const QuadMesh& mesh, const std::vector<ArcId>& arcOf, GridProgra
     }
 }
 
-void addSeedLines(const PrunedMesh& pruned, const ArcGraph& graph, GridProgram& grids) {
+void addSeedLines(const PrunedMesh& pruned, GridProgram& grids) {
     const auto& [mesh, complex, dihedralAngles, edgeCosts] = pruned;
-    for (const auto& [faces, arcs] : sourcelessComponents(mesh, complex, graph)) {
+    for (const auto& [faces, arcs] : sourcelessComponents(mesh, complex, grids.graph)) {
         const std::vector<HalfedgeId> line = seedLine(mesh, faces, dihedralAngles);
         // A loop turns a torus into one annulus, or one annulus into two; a line between borders makes one
         // grid.

@@ -8,16 +8,13 @@
 
 #include "prune/grid_program.h"
 
-#include <vector>
-
 namespace qm {
 
 /// Adds columns that count annuli.
-/// \param arcOf  the arc on every edge; none for edges without a line
-void addAnnuli(const QuadMesh& mesh, const std::vector<ArcId>& arcOf, GridProgram& grids);
+void addAnnuli(const QuadMesh& mesh, GridProgram& grids);
 
 /// Adds one column for every component without a source: 1 if the component gets its line (see `seedLine`),
 /// because no arc is in.
-void addSeedLines(const PrunedMesh& pruned, const ArcGraph& graph, GridProgram& grids);
+void addSeedLines(const PrunedMesh& pruned, GridProgram& grids);
 
 } // namespace qm

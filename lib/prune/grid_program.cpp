@@ -16,19 +16,18 @@ namespace {
 /// The rows that keep segments grids, and the corners that these have.
 class Builder {
 public:
-    Builder(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-            const std::vector<ArcId>& arcOf, GridProgram& result)
-        : mesh_(mesh), complex_(complex), graph_(graph), arcOf_(arcOf), result_(result) {}
+    Builder(const QuadMesh& mesh, const BaseComplex& complex, GridProgram& result)
+        : mesh_(mesh), complex_(complex), result_(result) {}
 
     /// \param smoothness  adds its rows at extraordinary vertices
-    void build(const SmoothnessRows& smoothness) {
-        for (const Junction& junction : graph_.junctions)
+    void build(SmoothnessRows& smoothness) {
+        for (const Junction& junction : result_.graph.junctions)
             addJunction(junction);
         for (const Seed seed : complex_.seeds)
             addSeed(seed);
         for (const VertexId vertex : complex_.extraordinaryVertices) {
             addExtraordinary(vertex, smoothness);
-            smoothness.keepRoom(vertex, result_);
+            smoothness.keepRoom(vertex);
         }
         for (const VertexId vertex : mesh_.vertices())
             if (mesh_.is_boundary(vertex) && !mesh_.is_isolated(vertex) && isRegular(mesh_, vertex))
@@ -38,9 +37,9 @@ public:
     /// An arc is in if an edge of it is required, and out if one is forbidden.
     void addDemands(const Constraints& constraints) {
         for (const EdgeId edge : constraints.required)
-            if (arcOf_[at(edge)].valid()) result_.addRow({{arcOf_[at(edge)], 1}}, 1);
+            if (result_.arcOf[at(edge)].valid()) result_.addRow({{result_.arcOf[at(edge)], 1}}, 1);
         for (const EdgeId edge : constraints.forbidden)
-            if (arcOf_[at(edge)].valid()) result_.addRow({{arcOf_[at(edge)], -1}}, 0);
+            if (result_.arcOf[at(edge)].valid()) result_.addRow({{result_.arcOf[at(edge)], -1}}, 0);
     }
 
 private:
@@ -78,11 +77,11 @@ private:
     }
 
     bool hasJunction(VertexId vertex) const {
-        return std::ranges::binary_search(graph_.junctions, vertex.idx(), {},
+        return std::ranges::binary_search(result_.graph.junctions, vertex.idx(), {},
                                           [](const Junction& junction) { return junction.vertex.idx(); });
     }
 
-    ArcId arcAt(HalfedgeId leaving) const { return arcOf_[at(mesh_.edge_handle(leaving))]; }
+    ArcId arcAt(HalfedgeId leaving) const { return result_.arcOf[at(mesh_.edge_handle(leaving))]; }
     bool isBoundary(HalfedgeId halfedge) const { return mesh_.is_boundary(mesh_.edge_handle(halfedge)); }
 
     /// One of two neighbours is in; where both are, there is a corner.
@@ -118,8 +117,6 @@ private:
 
     const QuadMesh& mesh_;
     const BaseComplex& complex_;
-    const ArcGraph& graph_;
-    const std::vector<ArcId>& arcOf_; ///< of every edge
     GridProgram& result_;
 };
 
@@ -155,20 +152,21 @@ ColumnValues GridProgram::valuesOf(const PresentArcs& present) const {
     return values;
 }
 
-GridProgram gridProgram(const PrunedMesh& pruned, const ArcGraph& graph, const Layout& layout,
-                        const Smoothness& smoothness, const Constraints& constraints) {
+GridProgram gridProgram(const PrunedMesh& pruned, const Layout& layout, const Smoothness& smoothness,
+                        const Constraints& constraints) {
     const auto& [mesh, complex, dihedralAngles, edgeCosts] = pruned;
     GridProgram result;
-    result.program.costs = ColumnValues(sumOverArcs(mesh, graph, complex, edgeCosts));
-    result.quarters.assign(graph.arcs.size(), 0);
-    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, complex);
-    const SmoothnessRows smoothnessRows(mesh, arcOf, dihedralAngles, layout, smoothness);
-    Builder builder(mesh, complex, graph, arcOf, result);
+    result.graph = buildArcGraph(mesh, complex);
+    result.arcOf = arcsOfEdges(mesh, result.graph, complex);
+    result.program.costs = ColumnValues(sumOverArcs(mesh, result.graph, complex, edgeCosts));
+    result.quarters.assign(result.graph.arcs.size(), 0);
+    SmoothnessRows smoothnessRows(pruned, layout, smoothness, result);
+    Builder builder(mesh, complex, result);
     builder.build(smoothnessRows);
     builder.addDemands(constraints);
-    addAnnuli(mesh, arcOf, result);
-    addSeedLines(pruned, graph, result);
-    smoothnessRows.keepEnds(result);
+    addAnnuli(mesh, result);
+    addSeedLines(pruned, result);
+    smoothnessRows.keepEnds();
     return result;
 }
 

@@ -39,9 +39,11 @@ struct GridProgram {
         OneIf when = OneIf::anyIsIn;
     };
 
-    IntegerProgram program; ///< minimises G_T, with the lines that components without tracks get
-    ColumnValues quarters;  ///< corners that every column adds
-    double corners = 0;     ///< that are there anyway
+    ArcGraph graph;           ///< of the base complex
+    std::vector<ArcId> arcOf; ///< the arc on every edge; none for edges without a line
+    IntegerProgram program;   ///< minimises G_T, with the lines that components without tracks get
+    ColumnValues quarters;    ///< corners that every column adds
+    double corners = 0;       ///< that are there anyway
     std::vector<Indicator> indicators;
 
     using Terms = std::vector<std::pair<ArcId, double>>; ///< arcs and their weights
@@ -61,7 +63,7 @@ struct GridProgram {
 
 /// \param layout   what it has removed already may stay so, and where its tracks end is where a further
 ///                 removal could make a border turn
-[[nodiscard]] GridProgram gridProgram(const PrunedMesh& pruned, const ArcGraph& graph, const Layout& layout,
+[[nodiscard]] GridProgram gridProgram(const PrunedMesh& pruned, const Layout& layout,
                                       const Smoothness& smoothness, const Constraints& constraints = {});
 
 } // namespace qm

@@ -8,31 +8,29 @@
 
 namespace qm {
 
-ColumnValues valuesOf(const PrunedMesh& pruned, const ArcGraph& graph, const GridProgram& grids,
-                      const Layout& layout) {
+ColumnValues valuesOf(const PrunedMesh& pruned, const GridProgram& grids, const Layout& layout) {
     const QuadMesh& mesh = pruned.mesh;
-    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, pruned.complex);
     std::vector<Track> tracks;
     for (const LayoutTrack& track : layout.tracks)
-        if (!track.transversal && arcOf[at(mesh.edge_handle(track.track.halfedges.front()))].valid())
+        if (!track.transversal && grids.arcOf[at(mesh.edge_handle(track.track.halfedges.front()))].valid())
             tracks.push_back(track.track);
-    return grids.valuesOf(presentArcs({mesh, pruned.complex, graph}, tracks));
+    return grids.valuesOf(presentArcs({mesh, pruned.complex, grids.graph}, tracks));
 }
 
-ColumnValues completed(const GridProgram& grids, const ArcGraph& graph, const ColumnValues& solved) {
-    PresentArcs present(graph.arcs.size());
+ColumnValues completed(const GridProgram& grids, const ColumnValues& solved) {
+    PresentArcs present(grids.graph.arcs.size());
     for (const ArcId arc : present.ids())
         present[arc] = solved[GridProgram::columnOf(arc)] > 0.5;
     return grids.valuesOf(present);
 }
 
-Layout layoutOf(const PrunedMesh& pruned, const ArcGraph& graph, const ColumnValues& values) {
+Layout layoutOf(const PrunedMesh& pruned, const GridProgram& grids, const ColumnValues& values) {
     const auto& [mesh, complex, dihedralAngles, edgeCosts] = pruned;
     std::vector<Track> tracks;
     const auto isIn = [&](ArcId arc) { return values[GridProgram::columnOf(arc)] > 0.5; };
-    for (const Line& line : graph.lines)
+    for (const Line& line : grids.graph.lines)
         for (const ArcRun& run : runsOf(line, isIn))
-            tracks.push_back(trackOf(mesh, halfedgesOf(graph, complex, run), edgeCosts));
+            tracks.push_back(trackOf(mesh, halfedgesOf(grids.graph, complex, run), edgeCosts));
     return buildLayout(mesh, tracks, dihedralAngles, edgeCosts);
 }
 

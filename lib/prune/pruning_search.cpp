@@ -27,11 +27,10 @@ struct Tuning {
 PruningSearch::PruningSearch(const PrunedMesh& pruned, const Layout& layout, const PruneOptions& options,
                              const Control& control)
     : pruned_(pruned), layout_(layout), options_(options), control_(control),
-      graph_(buildArcGraph(pruned.mesh, pruned.complex)),
-      grids_(gridProgram(pruned, graph_, layout,
+      grids_(gridProgram(pruned, layout,
                          options.smooth ? Smoothness{options.maxTurn, options.minCorner} : Smoothness(),
                          options.constraints)),
-      known_{valuesOf(layout)} {
+      known_{valuesOf(pruned_, grids_, layout)} {
     if (!grids_.program.allows(known_.front()))
         throw Error("/layout/tracks", "they are not made of whole arcs of the base complex",
                     "Leave --method optimum out, or run qm-merge again");
@@ -99,7 +98,7 @@ void PruningSearch::prepare(const IntegerProgram& program, double worth) {
 void PruningSearch::removeTracks(const Layout& layout, double worth) {
     PruneOptions greedy = options_;
     greedy.eta = -worth;
-    ColumnValues values = valuesOf(pruneLayout(pruned_, layout, greedy, control_).layout);
+    ColumnValues values = valuesOf(pruned_, grids_, pruneLayout(pruned_, layout, greedy, control_).layout);
     if (grids_.program.allows(values)) known_.push_back(std::move(values));
 }
 
@@ -120,9 +119,8 @@ void PruningSearch::improveAt(double beta, double seconds) {
 
 ColumnValues PruningSearch::improved(const IntegerProgram& program, ColumnValues values,
                                      double seconds) const {
-    return completed(grids_, graph_,
-                     improveByNeighbourhoods(program, std::move(values), columnsOfLines(graph_),
-                                             {.seconds = seconds}, control_));
+    return completed(grids_, improveByNeighbourhoods(program, std::move(values), columnsOfLines(grids_.graph),
+                                                     {.seconds = seconds}, control_));
 }
 
 /// The cheapest solution found so far that has at most `maxSegments` segments.
@@ -145,19 +143,15 @@ PruningSearch::Found PruningSearch::solve(const IntegerProgram& program, double 
         solveProgram(program, start.value_or(ColumnValues{}), {.seconds = seconds / 2}, control_);
     if (!solution.values && !start)
         throw Error("--max-segments", "no layout of so few segments was found", "Allow more, or more time");
-    ColumnValues values = solution.values ? completed(grids_, graph_, *solution.values) : *start;
+    ColumnValues values = solution.values ? completed(grids_, *solution.values) : *start;
     if (start && program.cost(*start) < program.cost(values)) values = *start;
     if (!solution.proven) values = improved(program, std::move(values), end.secondsLeft());
     known_.push_back(values);
     return {std::move(values), solution.lowerBound, solution.proven};
 }
 
-ColumnValues PruningSearch::valuesOf(const Layout& layout) const {
-    return qm::valuesOf(pruned_, graph_, grids_, layout);
-}
-
 Layout PruningSearch::layoutOf(const ColumnValues& values) const {
-    return qm::layoutOf(pruned_, graph_, values);
+    return qm::layoutOf(pruned_, grids_, values);
 }
 
 } // namespace qm

@@ -45,7 +45,6 @@ public:
     [[nodiscard]] Layout layoutOf(const ColumnValues& values) const;
 
 private:
-    [[nodiscard]] ColumnValues valuesOf(const Layout& layout) const;
     void addPrice(IntegerProgram& program, double beta) const;
     [[nodiscard]] IntegerProgram programFor(const PruningAim& aim) const;
     [[nodiscard]] IntegerProgram::Row limitOn(double segments) const;
@@ -63,7 +62,6 @@ private:
     const Layout& layout_;
     const PruneOptions& options_;
     const Control& control_;
-    ArcGraph graph_;
     GridProgram grids_;
     std::vector<ColumnValues> known_; ///< all solutions found so far, whatever their cost
 };

@@ -9,14 +9,13 @@
 
 namespace qm {
 
-SmoothnessRows::SmoothnessRows(const QuadMesh& mesh, const std::vector<ArcId>& arcOf,
-                               const std::vector<double>& dihedralAngles, const Layout& layout,
-                               const Smoothness& smoothness)
-    : mesh_(mesh), arcOf_(arcOf), dihedralAngles_(dihedralAngles), smoothness_(smoothness),
-      tracks_(properTracks(layout)), borders_(mesh, tracks_) {}
+SmoothnessRows::SmoothnessRows(const PrunedMesh& pruned, const Layout& layout, const Smoothness& smoothness,
+                               GridProgram& grids)
+    : mesh_(pruned.mesh), dihedralAngles_(pruned.dihedralAngles), smoothness_(smoothness), grids_(grids),
+      tracks_(properTracks(layout)), borders_(mesh_, tracks_) {}
 
 ArcId SmoothnessRows::arcAt(HalfedgeId halfedge) const {
-    return arcOf_[at(mesh_.edge_handle(halfedge))];
+    return grids_.arcOf[at(mesh_.edge_handle(halfedge))];
 }
 
 bool SmoothnessRows::mustStay(HalfedgeId before, HalfedgeId leaving, HalfedgeId after) const {
@@ -24,7 +23,7 @@ bool SmoothnessRows::mustStay(HalfedgeId before, HalfedgeId leaving, HalfedgeId 
            turnBetween(mesh_, before, after) > smoothness_.maxTurn;
 }
 
-void SmoothnessRows::keepRoom(VertexId vertex, GridProgram& grids) const {
+void SmoothnessRows::keepRoom(VertexId vertex) {
     for (const RoomSector& sector : roomAt(mesh_, dihedralAngles_, vertex, smoothness_.minCorner)) {
         GridProgram::Terms terms;
         std::size_t missing = 0;
@@ -33,23 +32,23 @@ void SmoothnessRows::keepRoom(VertexId vertex, GridProgram& grids) const {
             missing += borders_.isBorder(edge) ? 0 : 1;
         }
         missing = std::max(missing, sector.maxMissing);
-        if (missing < terms.size()) grids.addRow(terms, static_cast<double>(terms.size() - missing));
+        if (missing < terms.size()) grids_.addRow(terms, static_cast<double>(terms.size() - missing));
     }
 }
 
-void SmoothnessRows::keepEnds(GridProgram& grids) const {
+void SmoothnessRows::keepEnds() {
     for (const Track& track : tracks_) {
-        keepEnd(track.halfedges.back(), grids);
-        keepEnd(mesh_.opposite_halfedge_handle(track.halfedges.front()), grids);
+        keepEnd(track.halfedges.back());
+        keepEnd(mesh_.opposite_halfedge_handle(track.halfedges.front()));
     }
 }
 
-void SmoothnessRows::keepEnd(HalfedgeId arriving, GridProgram& grids) const {
+void SmoothnessRows::keepEnd(HalfedgeId arriving) {
     if (!continuesStraight(mesh_, mesh_.to_vertex_handle(arriving))) return;
     const auto [left, right] = crossingAt(mesh_, arriving);
     if (!arcAt(arriving).valid() || !arcAt(left).valid() || !arcAt(right).valid()) return;
     if (turnBetween(mesh_, left, right) > smoothness_.maxTurn)
-        grids.addRow({{arcAt(arriving), 1}, {arcAt(left), -1}, {arcAt(right), -1}}, -1);
+        grids_.addRow({{arcAt(arriving), 1}, {arcAt(left), -1}, {arcAt(right), -1}}, -1);
 }
 
 } // namespace qm

@@ -13,12 +13,10 @@ namespace qm {
 /// violates it may stay as they are.
 class SmoothnessRows {
 public:
-    /// \param arcOf           the arc on every edge; none for edges without a line
-    /// \param dihedralAngles  by edge, radians
     /// All references must outlive the object.
-    SmoothnessRows(const QuadMesh& mesh, const std::vector<ArcId>& arcOf,
-                   const std::vector<double>& dihedralAngles, const Layout& layout,
-                   const Smoothness& smoothness);
+    /// \param grids  gets the rows
+    SmoothnessRows(const PrunedMesh& pruned, const Layout& layout, const Smoothness& smoothness,
+                   GridProgram& grids);
 
     /// Whether a border that leaves an extraordinary vertex must stay, because without it its two neighbours
     /// would form one border with a sharp turn.
@@ -26,19 +24,19 @@ public:
     [[nodiscard]] bool mustStay(HalfedgeId before, HalfedgeId leaving, HalfedgeId after) const;
 
     /// Adds rows that leave the corners at an extraordinary vertex their room, see `roomAt`.
-    void keepRoom(VertexId vertex, GridProgram& grids) const;
+    void keepRoom(VertexId vertex);
 
     /// Adds rows that keep a track as long as the border exists on which it ends, if that border turns there.
-    void keepEnds(GridProgram& grids) const;
+    void keepEnds();
 
 private:
-    void keepEnd(HalfedgeId arriving, GridProgram& grids) const;
+    void keepEnd(HalfedgeId arriving);
     [[nodiscard]] ArcId arcAt(HalfedgeId halfedge) const;
 
     const QuadMesh& mesh_;
-    const std::vector<ArcId>& arcOf_;
-    const std::vector<double>& dihedralAngles_;
+    const std::vector<double>& dihedralAngles_; ///< by edge, radians
     Smoothness smoothness_;
+    GridProgram& grids_;
     std::vector<Track> tracks_; ///< of the layout, transversals apart
     Borders borders_;
 };
