@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/infinity.h"
+#include "mesh/topology.h"
 #include "program/neighbourhood_search.h"
 #include "program/solve_program.h"
 #include "prune/layout_values.h"
@@ -53,16 +54,19 @@ PruningSearch::Found PruningSearch::findFewest(double seconds) {
     addPrice(numbers, 1);
     const Deadline proofEnd(control_, seconds / 4), end(control_, seconds);
     prepare(numbers, Tuning::prohibitive);
-    Found fewest = solve(numbers, infinity, proofEnd);
-    if (!fewest.proven) {
-        // Most neighbours of a layout have the same number of segments, so G_T guides the search among them.
-        improveAt(Tuning::highestPrice, seconds / 2);
-        Found better = solve(numbers, infinity, end);
-        better.lowerBound = std::max(fewest.lowerBound, better.lowerBound);
-        fewest = std::move(better);
-    }
-    fewest.lowerBound = std::ceil(fewest.lowerBound + grids_.corners / 4 - integral);
-    return fewest;
+    auto bound = static_cast<double>(pieceCount(pruned_.mesh)); // each of them has a segment
+    const auto solveUntil = [&](const Deadline& deadline) {
+        Found found = solve(numbers, infinity, deadline);
+        bound = std::max(bound, std::ceil(found.lowerBound + grids_.corners / 4 - integral));
+        found.lowerBound = bound;
+        found.proven = found.proven || segments(found.values) <= bound; // as the number is whole
+        return found;
+    };
+    Found fewest = solveUntil(proofEnd);
+    if (fewest.proven) return fewest;
+    // Most neighbours of a layout have the same number of segments, so G_T guides the search among them.
+    improveAt(Tuning::highestPrice, seconds / 2);
+    return solveUntil(end);
 }
 
 void PruningSearch::addPrice(IntegerProgram& program, double beta) const {

@@ -156,6 +156,16 @@ objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
     misused qm-prune --method optimum --fewest-patches --max-segments 5 "$(stage layout block)"
 }
 
+@test "without time for a proof, each piece of a mesh has a patch all the same" {
+    captured qm-prune --method optimum --fewest-patches --time-limit 0 "$(stage layout torus)" -o out.json
+    assert_success
+    is '.layout.prune.objectiveBound == 1 and (.layout.segments | length) == 1'
+    captured qm-prune --method optimum --fewest-patches --time-limit 0 "$(stage layout block)" -o out.json
+    assert_success
+    is '.layout.prune.objectiveBound == 1 and (.layout.prune.proven | not)'
+    assert_regex "$stderr" 'the layout is at most [0-9]+ above the best$'
+}
+
 @test "what is required stays, and a layout that does not obey is refused" {
     layout=$(stage layout block)
     quietly qm-prune --eta -100 --no-smooth "$layout" -o bold.json

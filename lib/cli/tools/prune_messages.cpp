@@ -21,12 +21,18 @@ std::string distanceText(double objective, double bound) {
     return "at most " + numberText(std::ceil((objective - bound) * digits) / digits) + " above the best";
 }
 
+std::string openQuestion(const PruneOptions& options, const PruneResult& pruned) {
+    const double objective = objectiveOf(options, pruned.layout);
+    if (options.fewestPatches && objective <= *pruned.objectiveBound)
+        return "no layout has fewer segments, but one of as many may cost less";
+    return "the layout is " + distanceText(objective, *pruned.objectiveBound);
+}
+
 } // namespace
 
 void reportProofs(const Tool& tool, const PruneOptions& options, const PruneResult& pruned) {
     if (options.method == PruneMethod::optimum && !pruned.proven)
-        tool.warnOfInput("the search was ended early; the layout is " +
-                         distanceText(objectiveOf(options, pruned.layout), *pruned.objectiveBound));
+        tool.warnOfInput("the search was ended early; " + openQuestion(options, pruned));
     for (const FrontPoint& point : pruned.front)
         tool.note("front: beta " + numberText(point.beta) + ", " + std::to_string(point.segments) +
                   " segments, G_T " + numberText(point.cost) + ", " +
