@@ -81,29 +81,30 @@ public:
 
 private:
     bool inOneLine(const Json::object_t& object, std::size_t limit) {
-        text_ += '{';
-        bool first = true;
-        for (const auto& [key, value] : object) {
-            if (!first) text_ += ", ";
-            first = false;
-            appendString(text_, key);
-            text_ += ": ";
-            if (!inOneLine(value, limit)) return false;
-        }
-        text_ += '}';
-        return text_.size() <= limit;
+        return listed("{}", object, limit, [&](const auto& member) {
+            appendKey(member.first);
+            return inOneLine(member.second, limit);
+        });
     }
 
     bool inOneLine(const Json::array_t& array, std::size_t limit) {
-        text_ += '[';
-        bool first = true;
-        for (const Json& value : array) {
-            if (!first) text_ += ", ";
-            first = false;
-            if (!inOneLine(value, limit)) return false;
+        return listed("[]", array, limit, [&](const Json& value) { return inOneLine(value, limit); });
+    }
+
+    template <class List, class Write>
+    bool listed(std::string_view brackets, const List& list, std::size_t limit, const Write& write) {
+        text_ += brackets.front();
+        for (auto element = list.begin(); element != list.end(); ++element) {
+            if (element != list.begin()) text_ += ", ";
+            if (!write(*element)) return false;
         }
-        text_ += ']';
+        text_ += brackets.back();
         return text_.size() <= limit;
+    }
+
+    void appendKey(const std::string& key) {
+        appendString(text_, key);
+        text_ += ": ";
     }
 
     void newLine(std::size_t indent) {
@@ -118,8 +119,7 @@ private:
             if (member != object.begin()) text_ += ',';
             newLine(inner);
             const std::size_t start = text_.size();
-            appendString(text_, member->first);
-            text_ += ": ";
+            appendKey(member->first);
             pretty(member->second, inner + text_.size() - start, inner);
         }
         newLine(indent);
@@ -129,7 +129,8 @@ private:
     void elements(const Json::array_t& array, std::size_t indent) {
         text_ += '[';
         const std::size_t inner = indent + indentWidth;
-        std::size_t lineStart = text_.size();
+        std::size_t lineStart = 0;
+        std::string scalar;
         bool filling = false; // the present line holds scalars only
         for (auto value = array.begin(); value != array.end(); ++value) {
             if (value != array.begin()) text_ += ',';
@@ -139,17 +140,16 @@ private:
                 filling = false;
                 continue;
             }
-            const std::size_t before = text_.size();
-            text_ += ' ';
-            appendScalar(text_, *value);
-            if (!filling || text_.size() - lineStart >= lineWidth) {
-                std::string scalar = text_.substr(before + 1);
-                text_.resize(before);
+            scalar.clear();
+            appendScalar(scalar, *value);
+            if (filling && text_.size() + 1 + scalar.size() - lineStart < lineWidth) {
+                text_ += ' ';
+            } else {
                 newLine(inner);
                 lineStart = text_.size() - inner;
-                text_ += scalar;
                 filling = true;
             }
+            text_ += scalar;
         }
         newLine(indent);
         text_ += ']';

@@ -90,14 +90,6 @@ Json pruneFigures(const PruneResult& result) {
 
 namespace {
 
-const char* const remake = "Leave it out and it is made anew";
-
-void verifyCost(const JsonPlace& place, double cost) {
-    const std::optional<JsonPlace> given = place.find("cost");
-    if (given && !sameCost(given->number(), cost))
-        given->fail("is not " + std::to_string(cost) + ", the sum over the edges", remake);
-}
-
 /// Reads the tracks and checks their costs; no edge may lie on two tracks or on the boundary.
 std::vector<LayoutTrack> readTracks(const QuadMesh& mesh, const std::vector<double>& edgeCosts,
                                     const JsonPlace& list) {

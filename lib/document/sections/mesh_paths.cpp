@@ -87,6 +87,15 @@ bool sameCost(double a, double b) {
     return std::abs(a - b) <= share * std::max(1.0, std::abs(a));
 }
 
+void verifyCost(const JsonPlace& entry, const std::optional<double>& cost) {
+    const std::optional<JsonPlace> given = entry.find("cost");
+    if (!given) return;
+    const std::optional<double> number = given->numberOrNull();
+    if (number.has_value() != cost.has_value() || (cost && !sameCost(*cost, *number)))
+        given->fail("is not " + (cost ? std::to_string(*cost) + ", the sum over the edges" : "null"),
+                    "Leave the cost out and it is added up anew");
+}
+
 void verifyDistinctIds(const JsonPlace& list) {
     std::unordered_set<std::int64_t> known;
     for (const JsonPlace& entry : list.elements()) {

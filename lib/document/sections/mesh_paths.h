@@ -37,6 +37,9 @@ template <class Handles> [[nodiscard]] Json numbersOf(const Handles& handles) {
 /// Whether two sums of costs agree to within rounding.
 [[nodiscard]] bool sameCost(double a, double b);
 
+/// A cost, if an entry gives one, must equal the sum over the edges; or be null, if there is none.
+void verifyCost(const JsonPlace& entry, const std::optional<double>& cost);
+
 /// The ids of a list's entries must differ.
 void verifyDistinctIds(const JsonPlace& list);
 

@@ -56,16 +56,6 @@ public:
     }
 
 private:
-    /// Checks that a cost, if given, equals the sum over the edges.
-    static void verifyCost(const JsonPlace& place, const std::optional<double>& cost) {
-        const std::optional<JsonPlace> given = place.find("cost");
-        if (!given) return;
-        const std::optional<double> number = given->numberOrNull();
-        if (number.has_value() != cost.has_value() || (cost && !sameCost(*cost, *number)))
-            given->fail("is not " + (cost ? std::to_string(*cost) + ", the sum over the edges" : "null"),
-                        "Leave the cost out and it is added up anew");
-    }
-
     MotorcycleGraph graph(const JsonPlace& place, SubMeshId id) {
         MotorcycleGraph result;
         std::unordered_set<int> edges;
