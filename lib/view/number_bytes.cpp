@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace qm {
 
@@ -32,8 +33,8 @@ RoughNumbers roughNumbers(const std::vector<float>& values) {
     constexpr std::uint16_t none = 65535;
     constexpr double highest = none - 1;
     float largest = 0;
-    for (const float value : values)
-        largest = std::max(largest, value); // not NaN: what is no larger than it stays
+    for (const float value : values) // not NaN: what is no larger than it stays
+        largest = std::max(largest, std::min(value, std::numeric_limits<float>::max()));
     RoughNumbers result;
     if (largest > 0) result.unit = largest / highest;
     for (const float value : values) {

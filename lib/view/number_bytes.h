@@ -20,7 +20,7 @@ struct RoughNumbers {
     std::string bytes;
     double unit = 1;
 };
-/// \param values  not negative
+/// \param values  not negative; what is infinite counts as the largest number
 [[nodiscard]] RoughNumbers roughNumbers(const std::vector<float>& values);
 
 /// Bytes in base64.

@@ -264,6 +264,7 @@ TEST(View, NumbersAreFewBytes) {
     EXPECT_DOUBLE_EQ(rough.unit * 65534, 2);
     EXPECT_EQ(roughNumbers({std::nanf(""), 1}).bytes, "\xff\xff\xfe\xff");
     EXPECT_EQ(roughNumbers({0, 0}).bytes, std::string(4, '\0'));
+    EXPECT_EQ(roughNumbers({INFINITY, 0}).bytes, std::string("\xfe\xff\0\0", 4));
     EXPECT_EQ(floatBytes({1}), std::string("\x00\x00\x80\x3f", 4));
 }
 
