@@ -51,8 +51,8 @@ struct FrontPoint {
 
 struct PruneResult {
     Layout layout;
-    std::size_t addedTracks = 0; ///< from corners of sharp edges, before anything is removed
-    std::size_t removedTracks = 0;
+    std::size_t addedTracks = 0;          ///< from corners of sharp edges, before anything is removed
+    std::size_t removedTracks = 0;        ///< greedy, which removes whole tracks; likewise below
     std::size_t keptNotQuadrilateral = 0; ///< candidates kept because a segment would lose its four corners
     std::size_t keptNotSmooth = 0;        ///< candidates kept because of the smoothness criterion
     /// Optimum: no layout has a lower G_T + beta * segments. If the number of segments is limited, a bound of

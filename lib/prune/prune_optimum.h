@@ -14,8 +14,8 @@ namespace qm {
 /// corner above 180 degrees. A front holds layouts for a range of beta, 1/16 to 64, from many segments to
 /// few; none is as good as another in segments, G_T and captured sharpness together.
 /// \param layout  the start, of the same mesh; the optimum is never worse
-/// \throw Error  if it does not obey the constraints, its tracks are not made of arcs, or nothing is found under
-/// a number of segments
+/// \throw Error  if it does not obey the constraints, its tracks are not made of arcs, or nothing is found
+/// under a number of segments
 /// \param rho  edges with larger dihedral angles count as sharp, radians
 [[nodiscard]] PruneResult prune(const PrunedMesh& pruned, const Layout& layout, const PruneOptions& options,
                                 double rho, const Control& control = {});
