@@ -60,8 +60,12 @@ private:
                 junctionAt_[vertex] = graph_.junctions.nextId();
                 graph_.junctions.push_back({VertexId(static_cast<int>(vertex)), {}, false});
             }
+        // A seed's own arcs come first, whatever the order of the lines; they are set when its lines are
+        // split.
         for (const Seed seed : complex_.seeds)
-            seedJunction(seed);
+            if (const JunctionId seeded = junctionAt_[at(mesh_.from_vertex_handle(seed.direction))];
+                seeded.valid())
+                graph_.junctions[seeded].seeded = true;
     }
 
     void countPasses(const Line& line, std::vector<int>& passes, std::vector<bool>& stop) const {
@@ -75,13 +79,6 @@ private:
 
     bool endsAtOwnTrack(const Line& line) const {
         return line.length < complex_.separatrices[line.forward].halfedges.size();
-    }
-
-    /// Marks a seed's junction. Its own arcs come first, whatever the order of the lines; they are set when
-    /// its lines are split.
-    void seedJunction(Seed seed) {
-        const JunctionId junction = junctionAt_[at(mesh_.from_vertex_handle(seed.direction))];
-        if (junction.valid()) graph_.junctions[junction].seeded = true;
     }
 
     void splitLine(LineId id) {

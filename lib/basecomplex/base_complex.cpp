@@ -2,12 +2,12 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "base/positions.h"
 #include "basecomplex/arc_graph.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 namespace qm {
@@ -67,41 +67,30 @@ std::vector<HalfedgeId> trace(const QuadMesh& mesh, HalfedgeId start,
     return path;
 }
 
-void linkOpposites(const QuadMesh& mesh, std::vector<Separatrix>& separatrices) {
-    std::unordered_map<int, SeparatrixId> byFirst;
-    for (std::size_t i = 0; i < separatrices.size(); ++i)
-        byFirst.emplace(separatrices[i].halfedges.front().idx(), SeparatrixId(i));
+using Separatrices = IdVector<SeparatrixId, Separatrix>;
+
+void linkOpposites(const QuadMesh& mesh, Separatrices& separatrices) {
+    std::vector<SeparatrixId> startingWith(mesh.n_halfedges());
+    for (const SeparatrixId id : separatrices.ids())
+        startingWith[at(separatrices[id].halfedges.front())] = id;
     for (Separatrix& separatrix : separatrices) {
-        const auto found = byFirst.find(opposite(mesh, separatrix.halfedges.back()).idx());
-        if (found != byFirst.end()) separatrix.opposite = found->second;
+        const SeparatrixId found = startingWith[at(opposite(mesh, separatrix.halfedges.back()))];
+        if (found.valid()) separatrix.opposite = found;
     }
 }
 
-/// The vertices visited by the present path; starting another path forgets them in constant time.
-class Visits {
-public:
-    explicit Visits(std::size_t vertices) : lastPath_(vertices, -1) {}
-    void nextPath() { ++path_; }
-    /// \return whether the path has visited the vertex before
-    bool visit(VertexId vertex) { return std::exchange(lastPath_[at(vertex)], path_) == path_; }
-
-private:
-    std::vector<int> lastPath_;
-    int path_ = -1;
-};
-
-void measureReach(const QuadMesh& mesh, Separatrix& separatrix, Visits& visits) {
-    visits.nextPath();
-    visits.visit(mesh.from_vertex_handle(separatrix.halfedges.front()));
-    separatrix.reach = separatrix.halfedges.size();
-    // The last vertex is an end. A path that returns to its own source does not cross itself; one that
-    // arrives at its own seed does.
-    for (std::size_t k = 1; k < separatrix.halfedges.size(); ++k)
-        if (visits.visit(mesh.from_vertex_handle(separatrix.halfedges[k]))) {
-            separatrix.selfCrossing = true;
-            separatrix.reach = k;
-            return;
-        }
+void measureReaches(const QuadMesh& mesh, Separatrices& separatrices) {
+    std::vector<SeparatrixId> lastThrough(mesh.n_vertices()); // what begins at or passes a vertex
+    for (const SeparatrixId id : separatrices.ids()) {
+        Separatrix& separatrix = separatrices[id];
+        // The last vertex is an end. A path that returns to its own source does not cross itself; one that
+        // arrives at its own seed does.
+        const auto crossing = std::ranges::find_if(separatrix.halfedges, [&](HalfedgeId halfedge) {
+            return std::exchange(lastThrough[at(mesh.from_vertex_handle(halfedge))], id) == id;
+        });
+        separatrix.selfCrossing = crossing != separatrix.halfedges.end();
+        separatrix.reach = positionIn(separatrix.halfedges, crossing);
+    }
 }
 
 } // namespace
@@ -115,9 +104,7 @@ BaseComplex buildBaseComplex(const QuadMesh& mesh, std::span<const Seed> seeds) 
     for (const HalfedgeId start : starts.halfedges)
         complex.separatrices.push_back({trace(mesh, start, starts.arrivesAtSeed), std::nullopt, 0, false});
     linkOpposites(mesh, complex.separatrices);
-    Visits visits(mesh.n_vertices());
-    for (Separatrix& separatrix : complex.separatrices)
-        measureReach(mesh, separatrix, visits);
+    measureReaches(mesh, complex.separatrices);
     complex.ordinaryJunctions = buildArcGraph(mesh, complex).junctions.size();
     return complex;
 }
