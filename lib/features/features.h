@@ -13,7 +13,8 @@ namespace qm {
 
 struct FeatureOptions {
     double rho = defaultRho; ///< smallest dihedral angle of the edges of a curve, radians
-    // Distances of ends are measured along the line to the next extraordinary vertex.
+    // Distances of ends are measured along the line to the next extraordinary vertex; where a line sharper
+    // than `shortRho` crosses, they do not count.
     Length minLength{3, true};   ///< smallest length of a curve
     Length minDistance{1, true}; ///< smallest distance of its ends from extraordinary vertices
     int tau = 6;                 ///< smallest number of edges of a curve

@@ -73,7 +73,8 @@ template <class Visitor> void describe(FeatureOptions& options, Visitor&& option
            "minimum length of a curve, in the mesh's unit or, with %, as a share of the bounding box's "
            "diagonal");
     option("min-distance", options.minDistance, Range{0, infinity},
-           "minimum distance, along its line, of the ends of a curve from every extraordinary vertex");
+           "minimum distance, along its line, of the ends of a curve from every extraordinary vertex, unless "
+           "a line sharper than short-rho crosses there");
     option("tau", options.tau, Range{1, maxCount},
            "minimum number of edges of a curve; the paper uses 15. With this option --min-length is 0 unless "
            "given, --max-roundness is 1 and --short-rho is pi");
