@@ -5,11 +5,9 @@
 #include "bspline/measure/border_measures.h"
 #include "bspline/measure/certified_deviation.h"
 #include "bspline/measure/folds.h"
-#include "bspline/measure/foot_search.h"
 #include "bspline/measure/shape_measures.h"
+#include "bspline/measure/vertex_distances.h"
 #include "bspline/reference/lattice/facet_grids.h"
-#include "bspline/splines/eigen_point.h"
-#include "bspline/splines/interpolate.h"
 #include "mesh/bounding_box.h"
 
 #include <algorithm>
@@ -67,7 +65,6 @@ public:
         CertifiedDeviation& fromFacets = fromFacets_[k];
         patch.deviation.maxFromFacets = fromFacets.upper;
         parts.fromFacets = std::move(fromFacets.samples);
-        parts.fromVertices = vertexDistances(k);
         parts.shape = measureShape(toReference_, k);
         patch.folds = findFolds(patches_[k], references_[k]);
         patch.deviation.folds = patch.folds.size();
@@ -75,6 +72,16 @@ public:
         patch.deviation.largestGap = inner.gap;
         if (!inner.angles.empty())
             patch.deviation.largestInnerNormalAngle = *std::ranges::max_element(inner.angles);
+    }
+
+    void measureVertices() {
+        std::vector<double> ofReference;
+        ofReference.reserve(patches_.size());
+        for (const PatchMeasurement& patch : result_.ofPatch)
+            ofReference.push_back(patch.deviation.max);
+        auto distances = vertexDistances(mesh_, layout_, toReference_, ofReference, jobs_);
+        for (std::size_t k = 0; k < patches_.size(); ++k)
+            parts_[k].fromVertices = std::move(distances[k]);
     }
 
     void measureBorders(const std::vector<bool>& isSmooth) {
@@ -121,30 +128,6 @@ public:
     }
 
 private:
-    /// From every vertex of a patch's grid to the surfaces. Where these fold, the search may miss the nearest
-    /// place; but no distance is more than that of the reference and that from there.
-    [[nodiscard]] Samples vertexDistances(std::size_t k) const {
-        const Segment& segment = layout_.segments[k];
-        FootSearch search(toReference_);
-        Samples distances;
-        std::size_t column = 0;
-        std::size_t row = 0;
-        for (const Point& vertex : pointGrid(mesh_, segment)) {
-            const LayoutPlace place{k, {static_cast<double>(column), static_cast<double>(row)}};
-            double distance = search(0, place, vector(vertex)).distance;
-            if (const double ofReference = result_.ofPatch[k].deviation.max; distance > ofReference) {
-                const double toReference = (search.evaluateAt(1, place).position - vector(vertex)).norm();
-                distance = std::min(distance, toReference + ofReference);
-            }
-            distances.push_back({distance});
-            if (++column > at(segment.size[0])) {
-                column = 0;
-                ++row;
-            }
-        }
-        return distances;
-    }
-
     void summarise(const Parts& parts, Deviation& deviation) const {
         deviation.rms = rootMeanSquare(parts.fromReference);
         deviation.percentile95 = percentile95(parts.fromReference);
@@ -188,6 +171,7 @@ Measurement measureSurfaces(const MeasuredSurfaces& surfaces, const std::vector<
     Meter meter(surfaces, jobs);
     meter.certify(negligible);
     parallelFor(surfaces.patches.size(), jobs, [&](std::size_t k) { meter.measurePatch(k); });
+    meter.measureVertices();
     meter.measureBorders(isSmooth);
     return meter.finish();
 }

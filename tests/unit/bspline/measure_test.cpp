@@ -67,6 +67,24 @@ TEST(Measure, FindsADisplacementTwoSidedAndRelative) {
     EXPECT_NEAR(all.bendingRatio, 1, 1e-6) << "all is plane";
 }
 
+TEST(Measure, FindsVerticesManyPatchesAwayFromTheirPlacesInTheReference) {
+    // The reference has the vertices of a plane elsewhere in the plane, as that of evened quads does.
+    const int n = 32;
+    const Grid even{n, n, [](double i, double j) { return Point(i, j, 0); }};
+    const Grid uneven{n, n, [](double i, double j) { return Point(i * i / n, j * j / n, 0); }};
+    std::vector<test::Rectangle> quads;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+            quads.push_back({i, j, i + 1, j + 1});
+    const Layout layout = test::makeLayout(even, quads);
+    const QuadMesh reference = test::makeMesh(even), mesh = test::makeMesh(uneven);
+    const auto grids = facetGrids(reference, layout);
+    const auto patches = interpolateSegments(reference, layout, 1);
+    const Measurement measured =
+        measureSurfaces({mesh, layout, patches, grids}, std::vector<bool>(mesh.n_edges(), true), 1e-6, 2);
+    EXPECT_LT(measured.ofAll.deviation.maxFromVertices, 1e-5);
+}
+
 TEST(Measure, SeesWhatHappensBetweenSamplesAtHalfEdges) {
     // A patch with a knot at every eighth of an edge and one displaced control point.
     const QuadMesh mesh = test::makeMesh({1, 1, [](double i, double j) { return Point(i, j, 0); }});
