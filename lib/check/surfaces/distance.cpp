@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "check/surfaces/bilinear_quad.h"
+#include "check/surfaces/distance_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,47 +14,14 @@ namespace {
 
 constexpr int iterations = 200;
 
-/// Where in the box [0, max] the tangent plane is nearest.
-Parameters nearestOnTangents(const SurfacePoint& here, const Place& away, const Parameters& at,
-                             const Parameters& max) {
-    const std::array<double, 2> squares{dot(here.alongU, here.alongU), dot(here.alongV, here.alongV)};
-    const std::array<double, 2> slopes{dot(here.alongU, away), dot(here.alongV, away)};
-    const double mixed = dot(here.alongU, here.alongV);
-    const double determinant = squares[0] * squares[1] - mixed * mixed;
-    if (determinant > 1e-12 * squares[0] * squares[1]) {
-        const Parameters inner{at[0] + (slopes[0] * squares[1] - slopes[1] * mixed) / determinant,
-                               at[1] + (slopes[1] * squares[0] - slopes[0] * mixed) / determinant};
-        if (inner[0] >= 0 && inner[0] <= max[0] && inner[1] >= 0 && inner[1] <= max[1]) return inner;
-    }
-    // On a side of the box, only the other parameter is free.
-    Parameters best = at;
-    double min = 0; // square of the distance, beside that from here
-    for (std::size_t k = 0; k < 2; ++k)
-        for (const double side : {0.0, max[k]}) {
-            const std::size_t other = 1 - k;
-            const double across = side - at[k];
-            const double alone = squares[other] > 0 ? (slopes[other] - mixed * across) / squares[other] : 0;
-            Parameters to{};
-            to[k] = side;
-            to[other] = std::clamp(at[other] + alone, 0.0, max[other]);
-            const double along = to[other] - at[other];
-            const double change = across * (squares[k] * across - 2 * slopes[k]) +
-                                  along * (squares[other] * along - 2 * slopes[other]) +
-                                  2 * mixed * across * along;
-            if (!(change < min)) continue;
-            min = change;
-            best = to;
-        }
-    return best;
-}
-
 /// Walks towards the parameters in the box [0, max] whose point is nearest, or to one that is near enough;
 /// returns the smallest distance seen.
 template <class Surface>
 double nearest(const Surface& surface, Parameters at, const Parameters& max, const Place& point,
                double enough) {
-    constexpr int maxHalvings = 20; // where the surface bends much, steps are far too long
+    constexpr int maxHalvings = 20;
     int halvings = 0;
+    bool bends = false; // so much that steps on the tangents are far too long
     double min = HUGE_VAL;
     Parameters before = at;
     for (int i = 0; i < iterations; ++i) {
@@ -63,6 +31,7 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
         if (!(now < min)) {
             // The step was too long: half as long, from where it began.
             if (++halvings > maxHalvings) break;
+            bends = true;
             at = {(at[0] + before[0]) / 2, (at[1] + before[1]) / 2};
             continue;
         }
@@ -70,7 +39,7 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
         if (min <= enough) break;
         halvings = 0;
         before = at;
-        at = nearestOnTangents(here, away, at, max);
+        at = minimumOf(bends ? onSurface(surface, here, away, at, max) : onTangents(here, away), at, max);
     }
     return min;
 }

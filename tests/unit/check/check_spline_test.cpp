@@ -6,7 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <tuple>
+#include <utility>
 
 namespace qm::test {
 namespace {
@@ -143,6 +147,36 @@ TEST(CheckDistance, ToAPatch) {
     const auto here = evaluate(patch, 1.2, 0.4);
     EXPECT_NEAR(distanceToPatch(patch, {1.19, 0.41}, here.point), 0, 1e-9);
     EXPECT_LE(distanceToPatch(patch, {1.2, 0.4}, {9, 9, 9}), distance(here.point, {9, 9, 9}));
+}
+
+/// The nearest of n x n places around one, and their parameters.
+std::pair<double, Parameters> nearestOfLattice(const SurfacesPart::Patch& patch, const Place& point,
+                                               const Parameters& around, double halfWidth) {
+    constexpr int n = 41;
+    std::pair<double, Parameters> best{HUGE_VAL, {}};
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const auto parameter = [&](double middle, int k, double max) {
+                return std::clamp(middle + halfWidth * (2.0 * k / (n - 1) - 1), 0.0, max);
+            };
+            const Parameters at{parameter(around[0], i, 2), parameter(around[1], j, 1)};
+            best = std::min(best, {distance(evaluate(patch, at[0], at[1]).point, point), at});
+        }
+    return best;
+}
+
+TEST(CheckDistance, ToPatchesThatBendFarMoreThanTheirTangentsTell) {
+    for (unsigned seed = 1; seed <= 300; ++seed) {
+        auto patch = uniform(seed);
+        for (Place& point : patch.controlPoints)
+            point[1] *= 0.02; // almost folded: its tangents are nearly parallel
+        const Place point{0.3, 0.5, -0.2};
+        const auto [ofLattice, start] = nearestOfLattice(patch, point, {1, 0.5}, 1);
+        auto [nearest, at] = nearestOfLattice(patch, point, start, 0.1);
+        for (double halfWidth = 0.02; halfWidth > 1e-8; halfWidth /= 5)
+            std::tie(nearest, at) = nearestOfLattice(patch, point, at, halfWidth);
+        EXPECT_LE(distanceToPatch(patch, start, point), (1 + 1e-7) * nearest) << seed;
+    }
 }
 
 TEST(CheckDistance, LeavesACornerAlongEitherSide) {
