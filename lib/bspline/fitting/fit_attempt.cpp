@@ -59,16 +59,18 @@ public:
 
     Fitted run(bool isLast, const Control& control) {
         const int slides = 2 * options_.slides; // more while there are few knots, or patches begin anew
-        if (restart_)
-            state_.beginFrom(restart_->from, restart_->isSoft, slides);
-        else
+        if (restart_) {
+            first_ = restart_->from.first;
+            state_.beginFrom(restart_->from.round, restart_->isSoft, slides);
+        } else {
             solveFirst(state_, slides, control.stopRequested);
+        }
         search(options_.maxRounds, options_.removesKnots ? Saving::tried : Saving::none, control);
         Fitted nearest;
         for (int k = 1;; ++k) {
             chooseBest();
             if (hasPlanes()) flattenWhereKept(problem_.verify, options_.slides, planes_, state_, best_);
-            Fitted found{best_, followsNoise()};
+            Fitted found{best_, first_, followsNoise()};
             const bool ends =
                 k > 1 && (isStuckAt(nearest, found) || (!isLast && isAstrayFrom(nearest, found)));
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
@@ -116,10 +118,7 @@ private:
         }
         if (state_.errors().worst() > Hopeless::distance && round - past.halved >= Hopeless::rounds)
             return true;
-        if (rounds_ == 0) {
-            firstWorst_ = state_.errors().worst();
-            firstPoints_ = state_.score().controlPoints;
-        }
+        if (rounds_ == 0 && !restart_) first_ = {state_.errors().worst(), state_.score().controlPoints};
         return followsNoise();
     }
 
@@ -155,12 +154,14 @@ private:
         if (!isRefined && !(isWeighed && gains) && !tryHarder()) state_.giveUp();
     }
 
-    /// Whether very many control points have not brought it much nearer than it was in its first round.
+    /// Whether very many control points have not brought it much nearer than it was in the first round of all
+    /// attempts, or still more not within the tolerance.
     [[nodiscard]] bool followsNoise() const {
-        const auto points = static_cast<double>(state_.score().controlPoints);
-        return !best_.score.keeps && state_.errors().worst() > 1 &&
-               2 * state_.errors().worst() > firstWorst_ &&
-               points > Hopeless::growth * static_cast<double>(firstPoints_);
+        const double growth =
+            static_cast<double>(state_.score().controlPoints) / static_cast<double>(first_.controlPoints);
+        const double worst = state_.errors().worst();
+        return !best_.score.keeps && worst > 1 &&
+               growth > (2 * worst > first_.worst ? Hopeless::growth : Hopeless::maxGrowth);
     }
 
     /// Does what helps where neither knots nor weights do. Beside folds short intervals would only make
@@ -221,10 +222,9 @@ private:
     std::vector<std::optional<FlatPatch>> planes_; ///< by patch; those out of reach are dropped
     FitState state_;
     const std::optional<Restart>& restart_;
-    int flattenings_ = 0;   ///< that broke the tolerance
-    int rounds_ = 0;        ///< in all searches together
-    double firstWorst_ = 0; ///< of the first round of all
-    std::size_t firstPoints_ = 0;
+    FirstRound first_;
+    int flattenings_ = 0; ///< that broke the tolerance
+    int rounds_ = 0;      ///< in all searches together
     FitRound best_;
     FitRound unflattened_; ///< keeps the tolerance, for want of a round that does so with planes in place
     FitRound nearest_;     ///< the best if errors that are given up count like all others

@@ -13,7 +13,7 @@ namespace qm {
 
 /// What an attempt begins with instead of the fewest knots.
 struct Restart {
-    const FitRound& from;
+    const Fitted& from;
     std::vector<bool> isSoft; ///< by patch: begins anew, and follows the reference more closely at the cost
                               ///< of fairness
 };

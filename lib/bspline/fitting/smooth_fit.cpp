@@ -36,7 +36,7 @@ std::vector<Patch> fitSmooth(const FitProblem& problem, const SmoothFitOptions& 
     constexpr int maxRings = 3;
     for (int rings = 1; rings <= maxRings; ++rings, closer.slides = 1) {
         if (!options.restarts || isNear(nearest) || nearest.isHopeless() || control.stopRequested()) break;
-        const Restart restart{nearest.round, missing(nearest, problem, rings)};
+        const Restart restart{nearest, missing(nearest, problem, rings)};
         Fitted fitted = attemptFit(problem, closer, restart, rings == maxRings, unreported(control));
         if (fitted.farthest() < nearest.farthest()) nearest = std::move(fitted);
     }

@@ -81,6 +81,21 @@ TEST(DirtyScan, IsGivenUpWhereOnlyNoiseIsLeftToFollow) {
     EXPECT_LT(questions, 10 + SmoothFitOptions{}.unfoldings) << "it is not begun once more";
 }
 
+TEST(Scan, IsGivenUpWhereItIsSharpAndSurfacesMustBeSmooth) {
+    // A restart begins with more control points than the first attempt was allowed.
+    const ShapeOptions shape{.resolution = 2, .seed = 2, .voxels = 2};
+    const QuadMesh mesh = makeShape("random-open", shape);
+    const TriangleSurface surface(makeScan("random-open", 300, shape));
+    const FitOptions options{.rho = 1.9};
+    int questions = 0; // one in every round of every attempt
+    Control control;
+    control.stopRequested = [&] { return ++questions < 0; };
+    const Surfaces surfaces =
+        fitSurfaces(mesh, test::cheapestLayout(mesh), dihedralAngles(mesh), options, &surface, control);
+    EXPECT_FALSE(missedTolerance(surfaces, options).empty());
+    EXPECT_LT(questions, SmoothFitOptions{}.maxRounds) << "more would be rounds of a second attempt";
+}
+
 TEST(DirtyScan, NoiseIsNotFollowedWhereTrianglesAreNoSmallerThanSteps) {
     const QuadMesh mesh = makeShape("block");
     Triangles scan = makeScan("block", 6 * static_cast<double>(mesh.n_faces()));
