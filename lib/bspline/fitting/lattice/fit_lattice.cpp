@@ -100,6 +100,23 @@ std::vector<Place> placesIn(const std::vector<double>& coarse, const std::vector
     return places;
 }
 
+/// The rule of a segment's corner. Where a crease ends on the curve that the vertex's rule follows, the end
+/// of that crease does not slide along the curve.
+VertexRule::Kind cornerRule(const QuadMesh& mesh, const Segment& segment, std::size_t side,
+                            const SmoothNetwork& network) {
+    const VertexId vertex = segment.sides[side].front();
+    const VertexRule& rule = network.rules[at(vertex)];
+    const auto endsHere = [&](VertexId next) {
+        const HalfedgeId halfedge = mesh.find_halfedge(vertex, next);
+        return network.marks.isCrease[at(mesh.edge_handle(halfedge))] &&
+               std::ranges::find(rule.along, halfedge) == rule.along.end();
+    };
+    const auto& before = segment.sides[(side + 3) % 4];
+    const bool isEnd = rule.kind == VertexRule::Kind::crease &&
+                       (endsHere(segment.sides[side][1]) || endsHere(before[before.size() - 2]));
+    return isEnd ? VertexRule::Kind::corner : rule.kind;
+}
+
 } // namespace
 
 std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& layout,
@@ -123,8 +140,7 @@ std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& la
                 const EdgeId edge = mesh.edge_handle(mesh.find_halfedge(vertices[i], vertices[i + 1]));
                 sources[k].isCrease[side].push_back(network.marks.isCrease[at(edge)]);
             }
-            const std::size_t corner = at(vertices.front());
-            sources[k].corners[side] = network.rules[corner].kind;
+            sources[k].corners[side] = cornerRule(mesh, segment, side, network);
         }
     });
     return sources;
