@@ -18,8 +18,11 @@ template <class Function>
 void forGrid(const QuadMesh& mesh, const Segment& segment, const Function& function) {
     const std::vector<VertexId> grid = vertexGrid(mesh, segment);
     const std::size_t columns = at(segment.size[0]) + 1;
-    for (std::size_t k = 0; k < grid.size(); ++k)
-        function(grid[k], std::array{static_cast<double>(k % columns), static_cast<double>(k / columns)});
+    for (std::size_t k = 0; k < grid.size(); ++k) {
+        const std::size_t column = k % columns;
+        const std::size_t row = k / columns;
+        function(grid[k], std::array{static_cast<double>(column), static_cast<double>(row)});
+    }
 }
 
 /// By vertex: its place in one of its patches.
