@@ -4,7 +4,6 @@
 #include "check/surfaces/bilinear_quad.h"
 #include "check/surfaces/distance_model.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -1,6 +1,7 @@
 /// \file Distances from a point to a face or a patch near a place that corresponds to it, and to all of them.
 ///
-/// Every search ends once it has found a distance that is `enough`, or else with the smallest.
+/// Every search takes Gauss-Newton steps, and Newton's once one was too long. It ends when it has found a
+/// distance that is `enough`, or else with the smallest, which is never less than the true one.
 #pragma once
 
 #include "check/mesh/neighbourhoods.h"
@@ -14,13 +15,11 @@
 
 namespace qm::check {
 
-/// From a point to a bilinear quad, by the Gauss-Newton iteration from `start`. Never less than the true
-/// distance.
+/// From a point to a bilinear quad, beginning at `start`.
 [[nodiscard]] double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point,
                                     double enough = 0);
 
-/// From a point to a patch, by the Gauss-Newton iteration from the parameters. Never less than the true
-/// distance.
+/// From a point to a patch, beginning at the parameters.
 [[nodiscard]] double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters,
                                      const Place& point, double enough = 0);
 

@@ -87,7 +87,7 @@ TEST(Scan, IsGivenUpWhereItIsSharpAndSurfacesMustBeSmooth) {
     const QuadMesh mesh = makeShape("random-open", shape);
     const TriangleSurface surface(makeScan("random-open", 300, shape));
     const FitOptions options{.rho = 1.9};
-    int questions = 0; // one in every round of every attempt
+    int questions = 0; // as above, in all attempts
     Control control;
     control.stopRequested = [&] { return ++questions < 0; };
     const Surfaces surfaces =

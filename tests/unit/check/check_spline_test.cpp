@@ -171,7 +171,7 @@ TEST(CheckDistance, ToPatchesThatBendFarMoreThanTheirTangentsTell) {
         for (Place& point : patch.controlPoints)
             point[1] *= 0.02; // almost folded: its tangents are nearly parallel
         const Place point{0.3, 0.5, -0.2};
-        const auto [ofLattice, start] = nearestOfLattice(patch, point, {1, 0.5}, 1);
+        const Parameters start = nearestOfLattice(patch, point, {1, 0.5}, 1).second;
         auto [nearest, at] = nearestOfLattice(patch, point, start, 0.1);
         for (double halfWidth = 0.02; halfWidth > 1e-8; halfWidth /= 5)
             std::tie(nearest, at) = nearestOfLattice(patch, point, at, halfWidth);

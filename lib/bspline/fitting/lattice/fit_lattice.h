@@ -24,9 +24,10 @@ struct LatticeSource {
     const ReferenceGrid* grid = nullptr;
     const std::vector<double>* weights = nullptr; ///< of the grid's points; all 1 if null
     std::array<std::vector<bool>, 4> isCrease{};  ///< by side, edge by edge counter-clockwise
-    std::array<VertexRule::Kind, 4> corners{};    ///< the rules of the segment's corner vertices
-    std::vector<bool> isSound{};                  ///< by quad: see `soundFaces`
-    std::vector<bool> isStiff{};                  ///< by quad: it is sound, and so are those around it
+    /// The rules of the segment's corner vertices, or corner where a crease along a side ends on others.
+    std::array<VertexRule::Kind, 4> corners{};
+    std::vector<bool> isSound{}; ///< by quad: see `soundFaces`
+    std::vector<bool> isStiff{}; ///< by quad: it is sound, and so are those around it
 };
 
 /// The part of a lattice that changes during a fit. All lists but the parameters have one entry per point:
