@@ -20,7 +20,7 @@ struct FeatureOptions {
     int tau = 6;                 ///< smallest number of edges of a curve
     /// In place of rho for curves with fewer edges, which must end at the boundary or at other edges as
     /// sharp: a short fold of a sheet, or an upright edge of a plate. Pi leaves all of them out.
-    double shortRho = 1;
+    double shortRho = 0.7;
     int zeta = 1; ///< its ends are more than this many edges away from extraordinary vertices
     double maxRoundness = roundLine; ///< of a curve, see `roundness`; 1 admits all
 };

@@ -80,6 +80,12 @@ TEST(Features, MayBeShortBetweenBoundariesAndOtherSharpEdges) {
         << "the line that it ends on is not as sharp";
 }
 
+TEST(Features, OfChamferedCornersMayBeShort) {
+    const QuadMesh mesh = rectangle(8, 4);
+    const PerEdge angles = PerEdge(mesh, 0.1).along({4, 13, 22, 31, 40}, std::numbers::pi / 4);
+    EXPECT_EQ(findFeatures(mesh, angles, FeatureOptions{}).curves.size(), 1U);
+}
+
 TEST(Features, AreDividedByABluntEdge) {
     const QuadMesh mesh = rectangle(8, 2);
     const PerEdge angles = PerEdge(mesh, 0.1).along(row(8, 1, 0, 8), sharp).along(row(8, 1, 4, 5), 0.5);
