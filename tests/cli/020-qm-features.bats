@@ -104,6 +104,28 @@ curves() { field '.features.curves | length' out.json; }
     done
 }
 
+# A hexagonal bolt's head without its end faces: two quads for each side around, and chamfers at both rims.
+bolt_head() {
+    awk 'BEGIN {
+        split("0.8 1 1 0.8", radius); split("0 0.1 0.6 0.7", height); pi = atan2(0, -1)
+        for (j = 1; j <= 4; ++j) for (i = 0; i < 6; ++i) {
+            x = radius[j] * cos(i * pi / 3); y = radius[j] * sin(i * pi / 3)
+            print "v", x, y, height[j]
+            print "v", (x + radius[j] * cos((i + 1) * pi / 3)) / 2, (y + radius[j] * sin((i + 1) * pi / 3)) / 2, height[j]
+        }
+        for (j = 0; j < 3; ++j) for (i = 0; i < 12; ++i) {
+            k = (i + 1) % 12; print "f", 12*j+i+1, 12*j+k+1, 12*j+12+k+1, 12*j+12+i+1
+        }
+    }'
+}
+
+@test "rims and the upright edges that cross them are all borders of patches" {
+    bolt_head > bolt.obj
+    quadmesh --quiet bolt.obj -o bolt.json
+    assert_equal "$(field '.layout.quality.capturedSharpness' bolt.json)" 1
+    assert_equal "$(field '.surfaces.patches | length' bolt.json)" 18
+}
+
 @test "options out of range" {
     for options in '--min-length -1' '--min-length x%' '--min-distance -1%' '--rho -1' '--rho 4' '--rho nan' '--max-roundness 2' '--max-roundness -0.1' '--short-rho -1' '--short-rho 4' '--tau 0' '--tau 1.5' '--zeta -1' '--tau x' '--rho'; do
         # shellcheck disable=SC2086  # a list of words

@@ -74,16 +74,17 @@ template <class Visitor> void describe(FeatureOptions& options, Visitor&& option
            "diagonal");
     option("min-distance", options.minDistance, Range{0, infinity},
            "minimum distance, along its line, of the ends of a curve from every extraordinary vertex, unless "
-           "a line sharper than short-rho crosses there");
+           "a sharp line crosses there (see --short-rho)");
     option("tau", options.tau, Range{1, maxCount},
            "minimum number of edges of a curve; the paper uses 15. With this option --min-length is 0 unless "
            "given, --max-roundness is 1 and --short-rho is pi");
     option("short-rho", options.shortRho, Range{0, std::numbers::pi},
            "a curve with fewer than tau edges counts if all of them have a dihedral angle above this, in "
-           "radians, and it ends at the boundary or at other edges as sharp; pi leaves out all such curves");
+           "radians, and it ends at the boundary or at other edges as sharp. Lines above rho, and above this "
+           "on one side, divide the curves that they cross. Pi leaves out all such curves, and divides none");
     option("zeta", options.zeta, Range{0, maxCount},
            "the ends of a curve are more than this many edges, along its line, from every extraordinary "
-           "vertex, unless a line sharper than short-rho crosses there; the paper uses 30. With this option "
+           "vertex, unless a sharp line crosses there (see --short-rho); the paper uses 30. With this option "
            "--min-distance is 0 unless given");
     option("max-roundness", options.maxRoundness, Range{0, 1},
            "leave out curves beside which the surface bends by more than this share of their own bend, as it "
