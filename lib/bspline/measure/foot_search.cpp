@@ -147,9 +147,8 @@ PiecePoint FootSearch::evaluateAt(std::size_t surface, const LayoutPlace& place)
 
 Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const Eigen::Vector3d& point) {
     int crossings = maxCrossings;
-    Foot best = walk(surface, start, point, crossings);
-    if (crossings > 0) return best;
-    // To and fro over a border, it may have missed what lies inside on either side.
+    const Foot found = walk(surface, start, point, crossings);
+    Foot best = found;
     const auto tryFrom = [&](const LayoutPlace& place, int turns) {
         int none = 0;
         Foot foot = walk(surface, place, point, none);
@@ -157,14 +156,17 @@ Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const
         best = foot;
         best.turns = turns;
     };
+    // What is nearest on one side of a border may not be on the other: at a crease, or to and fro over it.
+    bool isOnBorder = false;
     for (int side = 0; side < 4; ++side) {
         const std::size_t across = directionAcross(side);
-        if (best.place.at[across] != (isFarSide(side) ? surfaces_.extent(best.place.patch)[across] : 0))
-            continue;
-        const auto crossing = surfaces_.across(best.place, side);
-        if (crossing) tryFrom(crossing->to, (best.turns + crossing->turns) % 4);
+        const double border = isFarSide(side) ? surfaces_.extent(found.place.patch)[across] : 0;
+        if (std::abs(found.place.at[across] - border) > minStep) continue;
+        isOnBorder = true;
+        const auto crossing = surfaces_.across(found.place, side);
+        if (crossing) tryFrom(crossing->to, (found.turns + crossing->turns) % 4);
     }
-    tryFrom(start, 0);
+    if (isOnBorder || crossings == 0) tryFrom(start, 0);
     return best;
 }
 

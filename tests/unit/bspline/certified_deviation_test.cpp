@@ -303,5 +303,18 @@ TEST(FootSearch, FindsWideQuadsFromNarrowOnes) {
         }
 }
 
+TEST(FootSearch, ComesBackOverACreaseThatAStepWentBeyond) {
+    // Columns from 2 on lie flat and slow down; those before stand upright.
+    const auto shape = [](double i, double j) {
+        const double s = i - 2;
+        return s < 0 ? Point(0, j, s) : Point(2 * s - s * s / 2, j, 0);
+    };
+    const Pair pair{{4, 4, shape}, {{0, 0, 2, 4}, {2, 0, 4, 4}}, shape};
+    const PairedSurfaces surfaces = pair.paired();
+    FootSearch search(surfaces);
+    for (const double x : {0.001, 0.05, 0.2})
+        EXPECT_NEAR(search(1, {1, {0.9, 2}}, {x, 1.9, 0}).distance, 0, 1e-6) << x;
+}
+
 } // namespace
 } // namespace qm
