@@ -192,3 +192,41 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     assert_regex "$stderr" 'rank has no effect without --fit smooth'
     assert [ ! -e out.json ]
 }
+
+# A box 35 x 40 x 500 whose quads grow 1.8 times from row to row: along the first direction from one end, along the
+# third from both.
+graded_box() {
+    awk 'function v(i, j, k,   key) {
+        key = i "," j "," k
+        if (!(key in number)) { number[key] = ++count; print "v", x[i], y[j], z[k] }
+        return number[key]
+    }
+    function f(a, b, c, d) { print "f", a, b, c, d }
+    BEGIN {
+        OFMT = CONVFMT = "%.12g"
+        for (i = 0; i <= 10; ++i) x[i] = 35 * (1.8 ^ i - 1) / (1.8 ^ 10 - 1)
+        for (j = 0; j <= 6; ++j) y[j] = 40 * j / 6
+        for (k = 0; k <= 12; ++k) {
+            z[k] = 250 * (1.8 ^ k - 1) / (1.8 ^ 12 - 1)
+            z[24 - k] = 500 - z[k]
+        }
+        for (i = 0; i < 10; ++i) for (j = 0; j < 6; ++j) {
+            f(v(i, j, 0), v(i, j + 1, 0), v(i + 1, j + 1, 0), v(i + 1, j, 0))
+            f(v(i, j, 24), v(i + 1, j, 24), v(i + 1, j + 1, 24), v(i, j + 1, 24))
+        }
+        for (j = 0; j < 6; ++j) for (k = 0; k < 24; ++k) {
+            f(v(0, j, k), v(0, j, k + 1), v(0, j + 1, k + 1), v(0, j + 1, k))
+            f(v(10, j, k), v(10, j + 1, k), v(10, j + 1, k + 1), v(10, j, k + 1))
+        }
+        for (i = 0; i < 10; ++i) for (k = 0; k < 24; ++k) {
+            f(v(i, 0, k), v(i + 1, 0, k), v(i + 1, 0, k + 1), v(i, 0, k + 1))
+            f(v(i, 6, k), v(i, 6, k + 1), v(i + 1, 6, k + 1), v(i + 1, 6, k))
+        }
+    }'
+}
+
+@test "a box stays plane where its quads are narrower than the tolerance" {
+    graded_box > box.obj
+    quadmesh --quiet box.obj --tolerance 0.5 -o box.json
+    assert_equal "$(field '.surfaces.deviation | .folds == 0 and .max < 0.01 and .largestNormalDeviation < 0.001' box.json)" true
+}

@@ -41,6 +41,17 @@ TEST(MinChange, MovesWhatIsDemandedAndWhatEquationsTakeAlong) {
     EXPECT_EQ(after.leftCols(2), before.leftCols(2)) << "nothing moves along the plane";
 }
 
+TEST(MinChange, TakesNeighboursAlong) {
+    // The first and the last point are moved by -1 and 2; those between are free.
+    const MinChange change(5, {}, {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
+    const Eigen::MatrixX3d before = Eigen::MatrixX3d::Zero(5, 3);
+    const Eigen::MatrixX3d after = change.run({{0, level(-1)}, {4, level(2)}}, before);
+    EXPECT_NEAR(after(0, 2), -1, 1e-14);
+    EXPECT_NEAR(after(4, 2), 2, 1e-14);
+    for (int k = 0; k < 4; ++k)
+        EXPECT_GT(after(k + 1, 2), after(k, 2) + 0.2) << "they keep their order: " << k;
+}
+
 TEST(MinChange, LeavesWhatIsInItsPlaneAlready) {
     const MinChange change(3, straight());
     EXPECT_EQ(change.run({{2, level(0)}}, threePoints()), threePoints());

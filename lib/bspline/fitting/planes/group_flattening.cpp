@@ -1,5 +1,6 @@
 #include "bspline/fitting/planes/group_flattening.h"
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/fitting/planes/min_change.h"
 #include "bspline/splines/eigen_point.h"
@@ -48,7 +49,7 @@ public:
         constexpr int attempts = 12;
         Demands wanted = demands();
         if (isFlat(wanted)) return false;
-        const MinChange change(group_.unknowns, group_.equations);
+        const MinChange change(group_.unknowns, group_.equations, neighbouringPoints());
         for (int k = 0; k < attempts; ++k, wanted = demands()) {
             if (isFlat(wanted)) return false;
             if (const Eigen::MatrixX3d flat = change.run(wanted.planes, points_);
@@ -61,6 +62,21 @@ public:
     }
 
 private:
+    [[nodiscard]] std::vector<NeighbouringPoints> neighbouringPoints() const {
+        std::vector<NeighbouringPoints> neighbours;
+        std::size_t first = 0;
+        for (const std::size_t patch : group_.patches) {
+            const std::size_t columns = at(patches_[patch].count[0]);
+            const std::size_t count = patches_[patch].controlPoints.size();
+            for (std::size_t k = 0; k < count; ++k) {
+                if ((k + 1) % columns != 0) neighbours.push_back({first + k, first + k + 1});
+                if (k + columns < count) neighbours.push_back({first + k, first + k + columns});
+            }
+            first += count;
+        }
+        return neighbours;
+    }
+
     [[nodiscard]] Demands demands() const {
         Demands result;
         std::size_t first = 0;

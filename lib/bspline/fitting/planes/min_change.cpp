@@ -1,25 +1,36 @@
 #include "bspline/fitting/planes/min_change.h"
 
-#include "base/at.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 namespace qm {
 namespace {
 
-/// A diagonal matrix in which each value is repeated.
-std::vector<Eigen::Triplet<double>> diagonal(const std::vector<double>& values, std::size_t times) {
+/// Weight of the difference of what neighbours are moved by, beside the movement itself: those within two or
+/// three rows follow. Points alone would be pushed over the next row where rows are close together.
+constexpr double coupling = 3;
+
+/// The form of all movements, if the coordinates of every point are numbered one after the other.
+std::vector<Eigen::Triplet<double>>
+movement(std::size_t points, const std::vector<NeighbouringPoints>& neighbours, std::size_t coordinates) {
     std::vector<Eigen::Triplet<double>> entries;
-    for (const double value : values)
-        for (std::size_t k = 0; k < times; ++k) {
-            const int place = static_cast<int>(entries.size());
-            entries.emplace_back(place, place, value);
-        }
+    entries.reserve(coordinates * (points + 3 * neighbours.size()));
+    const auto add = [&](std::size_t row, std::size_t column, double value) {
+        for (std::size_t k = 0; k < coordinates; ++k)
+            entries.emplace_back(static_cast<int>(coordinates * row + k),
+                                 static_cast<int>(coordinates * column + k), value);
+    };
+    for (std::size_t point = 0; point < points; ++point)
+        add(point, point, 1);
+    for (const auto& [one, other] : neighbours) {
+        add(one, one, coupling);
+        add(other, other, coupling);
+        add(std::max(one, other), std::min(one, other), -coupling);
+    }
     return entries;
 }
 
@@ -48,52 +59,30 @@ LinearForm height(const PlaneDemand& demand) {
     return form;
 }
 
-/// The same demands of sets of points, without those that are equal.
-std::vector<PlaneDemand> distinct(std::vector<PlaneDemand> demands, const std::vector<std::size_t>& setOf) {
-    for (PlaneDemand& demand : demands)
-        demand.unknown = setOf[demand.unknown];
-    const auto key = [](const PlaneDemand& demand) {
-        const auto& [normal, offset] = demand.plane;
-        return std::tuple(demand.unknown, normal[0], normal[1], normal[2], offset);
-    };
-    std::ranges::sort(demands, {}, key);
-    const auto isEqual = [&](const PlaneDemand& a, const PlaneDemand& b) { return key(a) == key(b); };
-    demands.erase(std::unique(demands.begin(), demands.end(), isEqual), demands.end());
-    return demands;
-}
-
 } // namespace
 
-MinChange::MinChange(std::size_t unknowns, std::vector<LinearForm> equations)
-    : equations_(std::move(equations)), tied_(tiedPoints(unknowns, equations_)),
-      allowed_(tied_.sizes.size(), diagonal(tied_.sizes, 1), tied_.equations, {}, 1) {}
+MinChange::MinChange(std::size_t points, std::vector<LinearForm> equations,
+                     std::vector<NeighbouringPoints> neighbours)
+    : points_(points), equations_(std::move(equations)), neighbours_(std::move(neighbours)),
+      allowed_(points, movement(points, neighbours_, 1), equations_, {}, 1) {}
 
 Eigen::MatrixX3d MinChange::run(const std::vector<PlaneDemand>& demands,
                                 const Eigen::MatrixX3d& points) const {
-    const Eigen::Index sets = row(tied_.sizes.size());
-    Eigen::MatrixX3d pointOf(sets, 3);
-    for (std::size_t k = 0; k < tied_.setOf.size(); ++k)
-        pointOf.row(row(tied_.setOf[k])) = points.row(row(k));
-    const std::vector<PlaneDemand> ofSets = distinct(demands, tied_.setOf);
-
     std::vector<LinearForm> forms;
-    forms.reserve(coordinates * tied_.equations.size() + ofSets.size());
-    for (const LinearForm& equation : tied_.equations)
+    forms.reserve(coordinates * equations_.size() + demands.size());
+    for (const LinearForm& equation : equations_)
         for (std::size_t k = 0; k < coordinates; ++k)
             forms.push_back(ofCoordinate(equation, k));
-    std::ranges::transform(ofSets, std::back_inserter(forms), height);
-    const Eigen::VectorXd missing = missingHeights(ofSets, pointOf);
+    std::ranges::transform(demands, std::back_inserter(forms), height);
+    const Eigen::VectorXd missing = missingHeights(demands, points);
     Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(row(forms.size()), 3);
     constants.col(0).tail(missing.size()) = missing; // the other columns are not needed
-    const Eigen::Index all = 3 * sets;
-    const ConstrainedSystem system(at(all), diagonal(tied_.sizes, coordinates), forms, constants, 1);
+    const ConstrainedSystem system(coordinates * points_, movement(points_, neighbours_, coordinates), forms,
+                                   constants, 1);
+    const Eigen::Index all = row(coordinates * points_);
     Eigen::MatrixX3d solution;
     system.improve(Eigen::MatrixX3d::Zero(all, 3), Accuracy::rounding, solution);
-    const Eigen::MatrixX3d change = allowed(solution.col(0).head(all).reshaped(3, sets).transpose());
-    Eigen::MatrixX3d moved = points;
-    for (std::size_t k = 0; k < tied_.setOf.size(); ++k)
-        moved.row(row(k)) += change.row(row(tied_.setOf[k]));
-    return moved;
+    return points + allowed(solution.col(0).head(all).reshaped(3, row(points_)).transpose());
 }
 
 double MinChange::violation(const Eigen::MatrixX3d& change) const {
@@ -107,13 +96,17 @@ double MinChange::violation(const Eigen::MatrixX3d& change) const {
     return largest;
 }
 
-/// The change of sets that is nearest to the given one among those that the equations allow.
-Eigen::MatrixX3d MinChange::allowed(Eigen::MatrixX3d change) const {
-    for (std::size_t k = 0; k < tied_.sizes.size(); ++k)
-        change.row(row(k)) *= tied_.sizes[k];
+/// The change that is nearest to the given one among those that the equations allow.
+Eigen::MatrixX3d MinChange::allowed(const Eigen::MatrixX3d& change) const {
     Eigen::MatrixX3d solution;
-    allowed_.improve(change, Accuracy::rounding, solution);
-    return solution.topRows(row(tied_.sizes.size()));
+    Eigen::MatrixX3d weighted = change;
+    for (const auto& [one, other] : neighbours_) {
+        const Eigen::RowVector3d difference = coupling * (change.row(row(one)) - change.row(row(other)));
+        weighted.row(row(one)) += difference;
+        weighted.row(row(other)) -= difference;
+    }
+    allowed_.improve(weighted, Accuracy::rounding, solution);
+    return solution.topRows(row(points_));
 }
 
 Eigen::VectorXd missingHeights(const std::vector<PlaneDemand>& demands, const Eigen::MatrixX3d& points) {

@@ -2,23 +2,28 @@
 #pragma once
 
 #include "bspline/fitting/planes/plane_demands.h"
-#include "bspline/fitting/planes/tied_points.h"
 #include "bspline/network/border_strip.h"
 #include "bspline/solver/constrained_system.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace qm {
 
+/// Two control points of a patch, next to one another.
+using NeighbouringPoints = std::array<std::size_t, 2>;
+
 /// Finds the change by one sparse system in which every coordinate is an unknown of its own, since planes mix
 /// them. The equations hold for the points before it and after it.
 class MinChange {
 public:
-    /// \param unknowns  number of control points that may move
-    MinChange(std::size_t unknowns, std::vector<LinearForm> equations);
+    /// \param points      number of control points that may move
+    /// \param neighbours  what is moved takes its neighbours along
+    MinChange(std::size_t points, std::vector<LinearForm> equations,
+              std::vector<NeighbouringPoints> neighbours = {});
 
     /// Planes that contradict one another, given the equations, are missed by as little as possible; all
     /// others are met up to rounding.
@@ -30,10 +35,11 @@ public:
     [[nodiscard]] double violation(const Eigen::MatrixX3d& change) const;
 
 private:
-    [[nodiscard]] Eigen::MatrixX3d allowed(Eigen::MatrixX3d change) const;
+    [[nodiscard]] Eigen::MatrixX3d allowed(const Eigen::MatrixX3d& change) const;
 
+    std::size_t points_;
     std::vector<LinearForm> equations_;
-    TiedPoints tied_; ///< most points on borders are tied to others: fewer unknowns
+    std::vector<NeighbouringPoints> neighbours_;
     ConstrainedSystem allowed_;
 };
 
