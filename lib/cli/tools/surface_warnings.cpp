@@ -58,7 +58,7 @@ void warnOfCoverage(const Tool& tool, const Surfaces& surfaces) {
 
 void warnOfBridges(const Tool& tool, const Surfaces& surfaces, double allowed) {
     if (const auto bridged = bridgedVertex(surfaces, allowed))
-        tool.warn("folded quads are bridged: a vertex is " + figureText(bridged->distance) +
+        tool.warn("folded or nearly folded quads are bridged: a vertex is " + figureText(bridged->distance) +
                   " away from the surfaces, in patch " + std::to_string(bridged->patch) +
                   ". If they should pass through it, unfold the quads there");
 }

@@ -121,14 +121,16 @@ void checkDuplicateFaces(const Soup& soup, const SoupEdges& edges) {
 void checkCrowdedEdges(const Soup& soup, const SoupEdges& edges) {
     for (std::size_t k = 0; k < edges.count(); ++k) {
         const auto sides = edges.edge(k);
-        if (sides.size() > 2)
-            throw Error(
-                edgePlace(soup, sides[0]),
-                std::to_string(sides.size()) + " faces meet there: " + soup.facePlace(sides[0] / 4) + ", " +
-                    soup.facePlace(sides[1] / 4) + ", " + soup.facePlace(sides[2] / 4) +
-                    (sides.size() > 3 ? " and more" : ""),
-                "The surface is no manifold there: take out faces that are too many; --repair takes solids "
-                "apart that touch");
+        if (sides.size() <= 2) continue;
+        // Solids have two faces each at an edge where they touch.
+        const bool mayBeSolids = sides.size() % 2 == 0;
+        throw Error(edgePlace(soup, sides[0]),
+                    std::to_string(sides.size()) + " faces meet there: " + soup.facePlace(sides[0] / 4) +
+                        ", " + soup.facePlace(sides[1] / 4) + ", " + soup.facePlace(sides[2] / 4) +
+                        (sides.size() > 3 ? " and more" : ""),
+                    std::string("The surface is no manifold there: take out faces that are too many") +
+                        (mayBeSolids ? "; --repair takes solids apart that touch"
+                                     : ", such as a rib that stands on a skin"));
     }
 }
 

@@ -181,7 +181,8 @@ TEST(Refusal, OfACrowdedEdge) {
         refusal(objOf(std::string(gridPoints) + "v 1 0 1\nv 1 1 1\n", "f 1 2 6 5\nf 2 3 7 6\nf 2 6 14 13\n"),
                 "a.obj"),
         "^edge between vertices 1 and 5: 3 faces meet there: face 0 (line 15), face 1 (line 16), "
-        "face 2 (line 17). "));
+        "face 2 (line 17). The surface is no manifold there: take out faces that are too many, such as a "
+        "rib"));
 }
 
 TEST(Refusal, OfInconsistentOrientation) {
