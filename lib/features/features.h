@@ -40,8 +40,8 @@ struct Features {
 };
 
 /// Finds all maximal curves, in time linear in the mesh, ordered by their lowest edge index. Those that sharp
-/// lines cross are divided there, into parts of two edges at least. If the line beyond an end is closed or
-/// reaches the boundary first, or a sharp line crosses there, the end counts as infinitely far from
+/// lines cross are divided there, into parts with vertices that none crosses. If the line beyond an end is
+/// closed or reaches the boundary first, or a sharp line crosses there, the end counts as infinitely far from
 /// extraordinary vertices. A curve without an admissible seed is left out.
 [[nodiscard]] Features findFeatures(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                                     const FeatureOptions& options);

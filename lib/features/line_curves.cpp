@@ -127,13 +127,20 @@ private:
         if (lengthOf(run) < sharp_.minLength) return;
         if (roundness(mesh_, halfedgesOf(run)) > options_.maxRoundness) return;
         if (isAllRound(run)) run = fromCrossing();
-        constexpr int minEdges = 2; // so that there is a vertex for the seed between the crossings
+        // Every section has a vertex for its seed that no sharp line crosses.
+        const auto isFree = [&](int k) { return !isCrossed(halfedgeAt(k - 1)); };
+        int lastFree = run.end - 1;
+        while (lastFree > run.begin && !isFree(lastFree))
+            --lastFree;
+        bool hasFree = false;
         Run section{run.begin, run.begin};
         while (section.end < run.end) {
             ++section.end;
-            const bool divides = section.edges() >= minEdges && run.end - section.end >= minEdges &&
-                                 isCrossed(halfedgeAt(section.end - 1));
+            const bool isHere = section.end < run.end && isFree(section.end);
+            hasFree = hasFree || isHere;
+            const bool divides = hasFree && !isHere && section.end < lastFree;
             if (section.end < run.end && !divides) continue;
+            hasFree = false;
             if (isFarFromSources(section))
                 curves.push_back({.halfedges = halfedgesOf(section), .seed = VertexId()});
             section.begin = section.end;

@@ -266,12 +266,15 @@ public:
     }
 
     /// Whether a curve is a run, or a part of one with two edges or more, from end to end or crossing; it has
-    /// no crossing where it could be divided, and its ends are far from sources.
+    /// no crossing that divides it, with other vertices on both sides, and its ends are far from sources.
     bool isCurveOf(const Run& run, const std::vector<HalfedgeId>& curve) const {
         for (const HalfedgeId halfedge : curve)
             if (!run.edges.contains(mesh_.edge_handle(halfedge).idx())) return false;
-        for (std::size_t i = 2; i + 2 <= curve.size(); ++i)
-            if (isCrossed(curve[i - 1])) return false;
+        const auto isFree = [&](HalfedgeId halfedge) { return !isCrossed(halfedge); };
+        for (auto i = curve.begin(); i + 1 < curve.end(); ++i)
+            if (isCrossed(*i) && std::any_of(curve.begin(), i, isFree) &&
+                std::any_of(i + 1, curve.end() - 1, isFree))
+                return false;
         const bool isWhole = curve.size() == run.edges.size();
         if (isWhole && run.closed) return true;
         if (!isWhole && curve.size() < 2) return false;
