@@ -2,6 +2,8 @@
 
 #include "bspline/splines/eigen_point.h"
 
+#include <Eigen/SparseCore>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -14,7 +16,8 @@ namespace {
 /// three rows follow. Points alone would be pushed over the next row where rows are close together.
 constexpr double coupling = 3;
 
-/// The form of all movements, if the coordinates of every point are numbered one after the other.
+/// The form by which changes are measured, row >= column, if the coordinates of every point are numbered one
+/// after the other.
 std::vector<Eigen::Triplet<double>>
 movement(std::size_t points, const std::vector<NeighbouringPoints>& neighbours, std::size_t coordinates) {
     std::vector<Eigen::Triplet<double>> entries;
@@ -98,14 +101,11 @@ double MinChange::violation(const Eigen::MatrixX3d& change) const {
 
 /// The change that is nearest to the given one among those that the equations allow.
 Eigen::MatrixX3d MinChange::allowed(const Eigen::MatrixX3d& change) const {
+    const auto entries = movement(points_, neighbours_, 1);
+    Eigen::SparseMatrix<double> form(row(points_), row(points_));
+    form.setFromTriplets(entries.begin(), entries.end());
     Eigen::MatrixX3d solution;
-    Eigen::MatrixX3d weighted = change;
-    for (const auto& [one, other] : neighbours_) {
-        const Eigen::RowVector3d difference = coupling * (change.row(row(one)) - change.row(row(other)));
-        weighted.row(row(one)) += difference;
-        weighted.row(row(other)) -= difference;
-    }
-    allowed_.improve(weighted, Accuracy::rounding, solution);
+    allowed_.improve(form.selfadjointView<Eigen::Lower>() * change, Accuracy::rounding, solution);
     return solution.topRows(row(points_));
 }
 
