@@ -125,7 +125,10 @@ demo: ## install what is missing, build, lay out sample parts, say where to look
 
 # ----------------------------------------------------------------------------------------------- build
 
-$(tools): $(bin)/%: $(O)/tools/%.o $(library)
+# Sanitizers allocate memory themselves.
+allocation := $(if $(filter sanitize tsan fuzz,$(config)),,$(O)/tools/large_blocks.o)
+
+$(tools): $(bin)/%: $(O)/tools/%.o $(allocation) $(library)
 	@mkdir -p $(@D)
 	$(call quietly,link,$@) $(link) $^ -o $@ $(libraries)
 

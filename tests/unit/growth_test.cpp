@@ -126,7 +126,7 @@ double bytesOfPlanes(int quads) {
         flat.push_back({mesh.calc_face_normal(face), 1});
     constexpr double flatness = 2e-3;
     const std::size_t before = bytesTaken;
-    (void)grownPlaneParts(mesh, isCrease, flat, flatness);
+    (void)grownPlaneParts(mesh, isCrease, flat, flatness, 1);
     return static_cast<double>(bytesTaken - before);
 }
 

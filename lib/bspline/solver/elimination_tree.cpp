@@ -64,11 +64,13 @@ std::vector<int> postorder(const EliminationTree& tree) {
 }
 
 /// Eigen's orderings sum up indices, and do not end where the sums become negative, so indices have 64 bits.
+/// They copy the values, too, and look at none of them, so those have 8.
 Permutation minDegreeOrder(const Eigen::SparseMatrix<double>& lower) {
     using Index = std::int64_t;
-    const Eigen::SparseMatrix<double, Eigen::ColMajor, Index> wide = lower;
+    const Eigen::SparseMatrix<std::int8_t, Eigen::ColMajor, Index> pattern =
+        lower.unaryExpr([](double) { return std::int8_t{1}; });
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> inverse;
-    Eigen::AMDOrdering<Index>()(wide.selfadjointView<Eigen::Lower>(), inverse);
+    Eigen::AMDOrdering<Index>()(pattern.selfadjointView<Eigen::Lower>(), inverse);
     return Permutation(inverse.indices().cast<int>()).inverse();
 }
 

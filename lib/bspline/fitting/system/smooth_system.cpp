@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 namespace qm {
@@ -74,6 +76,8 @@ SmoothSystem::SmoothSystem(const KnotPlan& plan, const std::vector<PatchSpace>& 
         addPatchForm(spaces_[k], lattices[free_[k]].targets, plates[free_[k]], entries[k]);
     });
     Entries all;
+    all.reserve(std::transform_reduce(entries.begin(), entries.end(), std::size_t{0}, std::plus(),
+                                      [](const Entries& ofPatch) { return ofPatch.size(); }));
     for (auto& ofPatch : entries) {
         all.insert(all.end(), ofPatch.begin(), ofPatch.end());
         ofPatch = Entries(); // gives the memory back

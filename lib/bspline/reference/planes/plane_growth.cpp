@@ -1,12 +1,15 @@
 #include "bspline/reference/planes/plane_growth.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/reference/planes/principal_axes.h"
 #include "bspline/splines/eigen_point.h"
+#include "mesh/parallel_elements.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace qm {
@@ -27,9 +30,9 @@ struct Overlap {
 class PlaneGrowth {
 public:
     PlaneGrowth(const QuadMesh& mesh, const std::vector<bool>& isCrease, const std::vector<FlatQuad>& quads,
-                double flatness)
-        : mesh_(mesh), isCrease_(isCrease), quads_(quads), flatness_(flatness), visit_(mesh.n_faces()),
-          isTried_(mesh.n_faces()) {
+                double flatness, unsigned jobs)
+        : mesh_(mesh), isCrease_(isCrease), quads_(quads), flatness_(flatness), jobs_(jobs),
+          visit_(mesh.n_faces()), isTried_(mesh.n_faces()) {
         parts_.ofFace.resize(mesh.n_faces(), none);
     }
 
@@ -40,14 +43,19 @@ public:
     }
 
 private:
-    /// Those around which the mesh is flattest come first: from beside a plane, a part would grow into it and
-    /// turn away from where it began.
+    /// Plane quads. Those around which the mesh is flattest come first: from beside a plane, a part would
+    /// grow into it and turn away from where it began.
     [[nodiscard]] std::vector<FaceId> seeds() const {
-        std::vector<double> rises;
-        rises.reserve(mesh_.n_faces());
-        for (const FaceId face : mesh_.faces())
-            rises.push_back(riseAround(face));
-        std::vector<FaceId> result(mesh_.faces_begin(), mesh_.faces_end());
+        constexpr double notPlane = infinity;
+        std::vector<double> rises(mesh_.n_faces());
+        parallelForFaces(mesh_, jobs_, [&](FaceId face) {
+            const Spread spread = spreadOf({face});
+            rises[at(face)] = isIn(spread.plane, spread) ? riseAround(face) : notPlane;
+        });
+        std::vector<FaceId> result;
+        result.reserve(mesh_.n_faces());
+        std::ranges::copy_if(mesh_.faces(), std::back_inserter(result),
+                             [&](FaceId face) { return rises[at(face)] < notPlane; });
         std::ranges::stable_sort(result, {}, [&](FaceId face) { return rises[at(face)]; });
         return result;
     }
@@ -88,7 +96,6 @@ private:
     void growFrom(FaceId seed) {
         std::vector<FaceId> faces{seed};
         Spread spread = spreadOf(faces);
-        if (!isIn(spread.plane, spread)) return;
         Part largest;
         for (std::size_t before = 0; faces.size() > before && liesIn(spread.plane, seed);) {
             before = faces.size();
@@ -165,6 +172,7 @@ private:
     const std::vector<bool>& isCrease_;
     const std::vector<FlatQuad>& quads_;
     double flatness_;
+    unsigned jobs_;
     std::vector<int> visit_; ///< by face: the last growth that came there
     int visits_ = 0;
     std::vector<bool> isTried_; ///< by face: growth came there
@@ -174,8 +182,8 @@ private:
 } // namespace
 
 PlaneParts grownPlaneParts(const QuadMesh& mesh, const std::vector<bool>& isCrease,
-                           const std::vector<FlatQuad>& quads, double flatness) {
-    return PlaneGrowth(mesh, isCrease, quads, flatness).run();
+                           const std::vector<FlatQuad>& quads, double flatness, unsigned jobs) {
+    return PlaneGrowth(mesh, isCrease, quads, flatness, jobs).run();
 }
 
 } // namespace qm

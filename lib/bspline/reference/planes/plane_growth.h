@@ -22,6 +22,6 @@ struct FlatQuad {
 /// \param flatness  largest distance of vertices from the plane of their part
 /// \return parts of one quad and more
 [[nodiscard]] PlaneParts grownPlaneParts(const QuadMesh& mesh, const std::vector<bool>& isCrease,
-                                         const std::vector<FlatQuad>& quads, double flatness);
+                                         const std::vector<FlatQuad>& quads, double flatness, unsigned jobs);
 
 } // namespace qm

@@ -121,7 +121,7 @@ PlaneParts planeParts(const QuadMesh& mesh, const std::vector<bool>& isCrease, d
         const auto [a, b, c, d] = cornerPoints(mesh, face);
         quads[at(face)] = {middleNormal(mesh, face).value_or(Point(0, 0, 0)), ((c - a) % (d - b)).norm() / 2};
     });
-    PlaneParts parts = grownPlaneParts(mesh, isCrease, quads, flatness);
+    PlaneParts parts = grownPlaneParts(mesh, isCrease, quads, flatness, jobs);
     Flats flats(mesh, isCrease, quads, parts);
     flats.dropSmallParts();
     flats.dropFacets();
