@@ -38,6 +38,7 @@ private:
     }
 
     void readFormat() {
+        if (hasFormat_) fail("the header names a format twice");
         const std::string_view name = lines_.word();
         if (name == "ascii") {
             header_.format = PlyFormat::ascii;

@@ -56,6 +56,10 @@ TEST(ReadPly, RefusesBadHeaders) {
         says(refusal(replaced(twoPly(), "float y", "real y"), "a.ply"), "line 6: \"real\" is no type"));
     EXPECT_TRUE(
         says(refusal(replaced(twoPly(), "ascii", "utf8"), "a.ply"), "format \"utf8\" is not understood"));
+    const std::string format = "format ascii 1.0\n";
+    EXPECT_TRUE(
+        says(refusal(replaced(twoPly(), format, format + "format binary_little_endian 1.0\n"), "a.ply"),
+             "names a format twice"));
     EXPECT_TRUE(says(refusal(replaced(twoPly(), "vertex 6", "vertex six"), "a.ply"), "has no count"));
     EXPECT_TRUE(says(refusal(replaced(twoPly(), "vertex 6", "vertex -6"), "a.ply"), "has no count"));
     EXPECT_TRUE(says(refusal(replaced(twoPly(), "list uchar", "list float"), "a.ply"), "length of a list"));
