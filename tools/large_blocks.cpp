@@ -1,7 +1,6 @@
-/// \file Lays the tools' large blocks of memory on huge pages, where the system grants them on request: the
-/// pages of a large mesh are then set up hundreds at a time, which otherwise takes up to a third of the time
-/// of quick tools. Small blocks, and all blocks of programs that use the library, are allocated as
-/// everywhere.
+/// \file Lays the tools' large blocks of memory on huge pages, where the system grants them on request: page
+/// by page, setting up the memory of a large mesh takes up to a third of the time of quick tools. Small
+/// blocks, and all blocks of programs that use the library, are allocated as everywhere.
 #include <cstddef>
 #include <cstdlib>
 #include <new>
