@@ -83,7 +83,7 @@ std::string fitLines(const FitSummary& fit, double diagonal, const std::string& 
     if (fit.fold) text += line("  first", placeText(*fit.fold, diagonal));
     if (fit.bridged)
         text += line("vertices", "up to " + figureText(fit.bridged->distance) + " " + unit +
-                                     " away where folded or nearly folded quads are bridged, patch " +
+                                     " away where quads fold or nearly fold, patch " +
                                      std::to_string(fit.bridged->patch));
     return text;
 }

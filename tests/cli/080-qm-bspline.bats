@@ -134,7 +134,7 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     run -0 --separate-stderr qm-bspline plate.layout.json -o out.json
     assert_equal "$stderr" "qm-bspline: folded or nearly folded quads are bridged: a vertex is 0.8 away from the surfaces, in patch 0. If they should pass through it, unfold the quads there"
     quietly qm-summary out.json
-    assert_line --regexp '^vertices +up to 0.8 mm away where folded or nearly folded quads are bridged, patch 0$'
+    assert_line --regexp '^vertices +up to 0.8 mm away where quads fold or nearly fold, patch 0$'
     quietly qm-summary --json out.json
     jq -e '.surfaces.bridged == {distance: .surfaces.bridged.distance, patch: 0} and .surfaces.bridged.distance > 0.79' <<<"$output"
     run -0 --separate-stderr qm-bspline --fit interpolate plate.layout.json -o out.json
