@@ -82,6 +82,8 @@ library     := $(O)/libquadmesh.a
 # The release tools are what people use, so they lie where they are found.
 bin         := $(if $(filter release,$(config)),bin,$(O)/bin)
 tools       := $(tool_names:%=$(bin)/%)
+# Sanitizers allocate memory themselves.
+allocation  := $(if $(filter sanitize tsan fuzz,$(config)),,$(O)/tools/large_blocks.o)
 support     := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/support/*.cpp))
 unit_tests  := $(patsubst %.cpp,$(O)/%.o,$(shell find tests/unit -name "*_test.cpp" | LC_ALL=C sort))
 properties  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/property/*_test.cpp))
@@ -124,9 +126,6 @@ demo: ## install what is missing, build, lay out sample parts, say where to look
 	@scripts/demo bin out/demo
 
 # ----------------------------------------------------------------------------------------------- build
-
-# Sanitizers allocate memory themselves.
-allocation := $(if $(filter sanitize tsan fuzz,$(config)),,$(O)/tools/large_blocks.o)
 
 $(tools): $(bin)/%: $(O)/tools/%.o $(allocation) $(library)
 	@mkdir -p $(@D)
