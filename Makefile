@@ -155,6 +155,9 @@ package_lists    := $(subst :,\:,$(wildcard $(addprefix /var/lib/dpkg/info/,*-de
 with_precompiled  = -Winvalid-pch $(kept_templates) -include $(O)/precompiled/$(strip $(1)).h \
                     $(if $(unrolled),-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 
+# Compilers take a fifteenth less time where their memory lies on huge pages.
+$(O)/%.o $(O)/precompiled/%.h.gch: export GLIBC_TUNABLES := glibc.malloc.hugetlb=1
+
 $(O)/%.o: %.cpp $(O)/flags $(O)/precompiled/library.h.gch
 	@mkdir -p $(@D)
 	$(call quietly,compile,$<) $(compile) $(call with_precompiled,library) -MMD -MP -c $< -o $@

@@ -3,7 +3,6 @@
 
 #include "mesh/quad_mesh.h"
 
-#include <utility>
 #include <vector>
 
 namespace qm {
@@ -19,10 +18,7 @@ struct MotorcycleGraph {
     double cost = 0; ///< G_T, the sum of the tracks' costs
     std::vector<Track> tracks;
 
-    void add(Track track) {
-        cost += track.cost;
-        tracks.push_back(std::move(track));
-    }
+    void add(Track track);
 };
 
 } // namespace qm

@@ -381,22 +381,20 @@ END
 }
 
 @test "a signal ends it at once and leaves nothing" {
-    for moment in 'qm-export options' 'qm-basecomplex work' 'qm-cut work' 'qm-bspline work' 'qm-export work'; do
+    for case in 'qm-export options TERM' 'qm-basecomplex work HUP' 'qm-cut work TERM' 'qm-bspline work HUP' 'qm-export work TERM'; do
+        read -r tool by signal <<<"$case"
         # A command in the background of a script cannot be interrupted from the keyboard.
-        for signal in TERM HUP; do
-            # shellcheck disable=SC2086  # two words
-            hangs $moment
-            QM_BIN=$PWD/tools quadmesh part.obj -o part.step 2>messages &
-            command=$!
-            for _ in {1..200}; do [[ -e started ]] && break; sleep 0.05; done
-            assert [ -e started ]
-            kill -"$signal" "$command"
-            wait "$command" && status=0 || status=$?
-            : >ended
-            assert_equal "$status" $((128 + $(kill -l "$signal")))
-            assert [ ! -e part.step ]
-            assert_equal "$(ls -A "$TMPDIR")" ''
-        done
+        hangs "$tool" "$by"
+        QM_BIN=$PWD/tools quadmesh part.obj -o part.step 2>messages &
+        command=$!
+        for _ in {1..200}; do [[ -e started ]] && break; sleep 0.05; done
+        assert [ -e started ]
+        kill -"$signal" "$command"
+        wait "$command" && status=0 || status=$?
+        : >ended
+        assert_equal "$status" $((128 + $(kill -l "$signal")))
+        assert [ ! -e part.step ]
+        assert_equal "$(ls -A "$TMPDIR")" ''
     done
 }
 
