@@ -151,7 +151,10 @@ common.tests     := $(common) gtest/gtest.h
 kept_templates   := $(if $(findstring clang,$(CXX)),-fpch-instantiate-templates)
 # clang++ takes no precompiled header that is older than what is in it. Files of Debian's packages are dated by their
 # build, so only the lists of these files tell when they were installed.
-package_lists    := $(subst :,\:,$(wildcard $(addprefix /var/lib/dpkg/info/,*-dev.list *-dev:*.list)))
+precompiled_from := libc6-dev linux-libc-dev libstdc++-*-dev libgcc-*-dev libclang-common-*-dev \
+                    libeigen3-dev libopenmesh-dev nlohmann-json3-dev libgtest-dev
+package_lists    := $(subst :,\:,$(wildcard $(foreach package,$(precompiled_from),/var/lib/dpkg/info/$(package).list \
+                    /var/lib/dpkg/info/$(package):*.list)))
 with_precompiled  = -Winvalid-pch $(kept_templates) -include $(O)/precompiled/$(strip $(1)).h \
                     $(if $(unrolled),-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 
