@@ -73,7 +73,7 @@ double farthest(const MeshLattice& lattice, const Profile& profile) {
     for (const HalfedgeId leaving : mesh.voh_range(VertexId(0)))
         for (int j = 0; j <= lattice.squares(); ++j)
             for (int i = 0; i <= lattice.squares(); ++i) {
-                const Point point = lattice.point(lattice.numbers()(leaving, i, j));
+                const Point point = lattice.point(leaving, i, j);
                 largest = std::max(largest, std::abs(point[2] - profile(std::hypot(point[0], point[1]))));
             }
     return largest;

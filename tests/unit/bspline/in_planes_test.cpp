@@ -61,8 +61,7 @@ TEST(InPlanes, SurfacesBesidePlanePartsAreTangentToThem) {
         for (int k = 0; k <= 4; ++k) { // the derivative across the outline, into the fillet
             Point inwards(0, 0, 0);
             for (int depth = 0; depth <= 4; ++depth)
-                inwards +=
-                    lagrangeAtEnd(4, 0)[at(depth)][1] * box.flat.point(box.flat.numbers()(side, k, depth));
+                inwards += lagrangeAtEnd(4, 0)[at(depth)][1] * box.flat.point(side, k, depth);
             EXPECT_NEAR(inwards.normalized() | box.corners.plane(part).normal, 0, 1e-9);
         }
     }

@@ -148,8 +148,8 @@ QuadSurface::QuadSurface(int steps, std::vector<Eigen::Vector3d> points)
         for (std::size_t d = 0; d < 2; ++d) {
             const std::size_t first = quadCorners[corner][1 - d] * at(steps_) * stride[1 - d];
             derivatives_[corner][d] =
-                derivativeAtEnd(steps_, quadCorners[corner][d], [&](std::size_t k) -> const Eigen::Vector3d& {
-                    return points_[first + k * stride[d]];
+                derivativeAtEnd(steps_, quadCorners[corner][d], [&](int k) -> const Eigen::Vector3d& {
+                    return points_[first + at(k) * stride[d]];
                 });
         }
 }

@@ -36,13 +36,13 @@ template <class Function> auto forAllSteps(const Function& function) {
 [[nodiscard]] const LagrangeWeights& lagrangeAtEnd(int steps, std::size_t end);
 
 /// The derivative of the polynomial through steps + 1 points at the first one (end 0) or the last (end 1).
-/// \param point  (k) that after k steps, a vector of three coordinates
+/// \param point  (k) that after k steps, an int; a vector of three coordinates
 template <class PointAt>
 [[nodiscard]] auto derivativeAtEnd(int steps, std::size_t end, const PointAt& point) {
     const LagrangeWeights& weights = lagrangeAtEnd(steps, end);
-    std::decay_t<decltype(point(std::size_t{0}))> sum(0, 0, 0);
-    for (std::size_t k = 0; k <= at(steps); ++k)
-        sum += weights[k][1] * point(k);
+    std::decay_t<decltype(point(0))> sum(0, 0, 0);
+    for (int k = 0; k <= steps; ++k)
+        sum += weights[at(k)][1] * point(k);
     return sum;
 }
 

@@ -44,9 +44,8 @@ MeshLattice::MeshLattice(const QuadMesh& mesh, const std::vector<Point>& points)
 MeshLattice::MeshLattice(const LatticeNumbers& numbers) : numbers_(numbers), points_(numbers.count()) {}
 
 Point MeshLattice::derivative(HalfedgeId leaving) const {
-    return qm::point(derivativeAtEnd(squares(), 0, [&](std::size_t k) -> const Eigen::Vector3d& {
-        return points_[numbers_(leaving, static_cast<int>(k), 0)];
-    }));
+    return qm::point(derivativeAtEnd(
+        squares(), 0, [&](int k) -> const Eigen::Vector3d& { return points_[numbers_(leaving, k, 0)]; }));
 }
 
 std::vector<Eigen::Vector3d> MeshLattice::points(FaceId face) const {

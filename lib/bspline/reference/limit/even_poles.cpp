@@ -48,7 +48,7 @@ private:
         for (int j = 0; j <= (across == 0 ? 0 : steps_); ++j)
             for (int i = 0; i <= steps_; ++i)
                 sum += weights[at(i)][along] * (across == 0 ? 1 : weights[at(j)][across]) *
-                       before_.point(before_.numbers()(leaving, i, j));
+                       before_.point(leaving, i, j);
         return sum;
     }
 
@@ -68,11 +68,11 @@ private:
         const double length = flat.norm();
         if (!(length > minCosine * chord.norm())) return {0, 0, 0};
         const Point direction = flat / length;
-        const Point begin = before_.point(before_.numbers()(leaving, 0, 0));
+        const Point begin = before_.point(leaving, 0, 0);
         double missing = 0;
         double squares = 0;
         for (int k = 1; k < steps_; ++k) {
-            const Point way = before_.point(before_.numbers()(leaving, k, 0)) - begin;
+            const Point way = before_.point(leaving, k, 0) - begin;
             const double slope = hermite_[at(k)].slope[0][0];
             missing += slope * (length * k / steps_ - (direction | way));
             squares += slope * slope;
@@ -128,11 +128,10 @@ private:
     void moveEdge(HalfedgeId side) {
         const Point& first = turns_[at(side)];
         const Point& last = turns_[at(mesh_.opposite_halfedge_handle(side))];
-        for (int k = 1; k < steps_; ++k) {
-            const std::size_t number = lattice_.numbers()(side, k, 0);
-            lattice_.move(number, lattice_.point(number) + hermite_[at(k)].slope[0][0] * first -
-                                      hermite_[at(k)].slope[1][0] * last);
-        }
+        lattice_.moveEdge(side, [&](int k) {
+            const auto& slope = hermite_[at(k)].slope;
+            return lattice_.point(side, k, 0) + slope[0][0] * first - slope[1][0] * last;
+        });
     }
 
     void moveFace(FaceId face) {
@@ -140,15 +139,13 @@ private:
             const Point& alongU = turns_[at(side)];
             const Point& alongV =
                 turns_[at(mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(side)))];
-            for (int j = 1; j < steps_; ++j)
-                for (int i = 1; i < steps_; ++i) {
-                    const Hermite& u = hermite_[at(i)];
-                    const Hermite& v = hermite_[at(j)];
-                    const std::size_t number = lattice_.numbers()(side, i, j);
-                    lattice_.move(number, lattice_.point(number) + u.slope[0][0] * v.value[0][0] * alongU +
-                                              u.value[0][0] * v.slope[0][0] * alongV +
-                                              u.slope[0][0] * v.slope[0][0] * twists_[at(side)]);
-                }
+            lattice_.moveInside(side, [&](int i, int j) {
+                const Hermite& u = hermite_[at(i)];
+                const Hermite& v = hermite_[at(j)];
+                return lattice_.point(side, i, j) + u.slope[0][0] * v.value[0][0] * alongU +
+                       u.value[0][0] * v.slope[0][0] * alongV +
+                       u.slope[0][0] * v.slope[0][0] * twists_[at(side)];
+            });
         }
     }
 

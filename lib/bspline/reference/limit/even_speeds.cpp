@@ -34,8 +34,7 @@ class EvenSpeeds {
 public:
     EvenSpeeds(MeshLattice& lattice, const Sharpness& sharpness)
         : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), sharpness_(sharpness),
-          steps_(at(lattice.squares())), changes_(mesh_.n_halfedges()),
-          hermite_(hermiteByStep(lattice.squares())) {}
+          changes_(mesh_.n_halfedges()), hermite_(hermiteByStep(lattice.squares())) {}
 
     void run(const PlaneCorners& corners, unsigned jobs) {
         const std::vector<bool> isSound = soundVertices(mesh_, jobs);
@@ -61,10 +60,6 @@ public:
     }
 
 private:
-    [[nodiscard]] Point before(HalfedgeId side, std::size_t i, std::size_t j) const {
-        return before_.point(before_.numbers()(side, static_cast<int>(i), static_cast<int>(j)));
-    }
-
     /// Turns the derivatives along a crease into a direction.
     void turn(const VertexRule& rule, const Point& direction) {
         if (direction.sqrnorm() == 0) return;
@@ -119,12 +114,12 @@ private:
     void moveEdge(HalfedgeId side) {
         const std::array ends{changes_[at(side)], changes_[at(mesh_.opposite_halfedge_handle(side))]};
         if (ends[0] == Change{} && ends[1] == Change{}) return;
-        const auto row = [&](std::size_t k) { return before(side, k, 0); };
+        const auto row = [&](int k) { return before_.point(side, k, 0); };
         const std::array differences{difference(0, ends[0], row), difference(1, ends[1], row)};
-        for (std::size_t k = 1; k < steps_; ++k)
-            lattice_.move(lattice_.numbers()(side, static_cast<int>(k), 0),
-                          row(k) + hermite_[k].slope[0][0] * differences[0] +
-                              hermite_[k].slope[1][0] * differences[1]);
+        lattice_.moveEdge(side, [&](int k) {
+            const auto& slope = hermite_[at(k)].slope;
+            return row(k) + slope[0][0] * differences[0] + slope[1][0] * differences[1];
+        });
     }
 
     /// A change at a corner of a face, and how its turn varies across the face, from the first side on.
@@ -175,30 +170,29 @@ private:
         const HalfedgeId last = mesh_.prev_halfedge_handle(first);
         const Changes alongU = changesAlong(first);
         const Changes alongV = turned(changesAlong(last));
-        for (std::size_t j = 1; j < steps_; ++j)
-            for (std::size_t i = 1; i < steps_; ++i) {
-                Point to = before(first, i, j);
-                for (std::size_t end = 0; end < 2; ++end) {
-                    to += hermite_[i].slope[end][0] *
-                          difference(end, between(alongU[end], j),
-                                     [&](std::size_t k) { return before(first, k, j); });
-                    to += hermite_[j].slope[end][0] *
-                          difference(end, between(alongV[end], i),
-                                     [&](std::size_t k) { return before(first, i, k); });
-                }
-                lattice_.move(lattice_.numbers()(first, static_cast<int>(i), static_cast<int>(j)), to);
+        lattice_.moveInside(first, [&](int i, int j) {
+            const auto row = [&](int k) { return before_.point(first, k, j); };
+            const auto column = [&](int k) { return before_.point(first, i, k); };
+            const Hermite& u = hermite_[at(i)];
+            const Hermite& v = hermite_[at(j)];
+            Point to = before_.point(first, i, j);
+            for (std::size_t end = 0; end < 2; ++end) {
+                to += u.slope[end][0] * difference(end, between(alongU[end], v), row);
+                to += v.slope[end][0] * difference(end, between(alongV[end], u), column);
             }
+            return to;
+        });
     }
 
     /// The last side of a face runs against v, at u = 0: the same changes by end and side of v.
     [[nodiscard]] static Changes turned(const Changes& changes) { return {changes[1], changes[0]}; }
 
-    [[nodiscard]] Change between(const std::array<Corner, 2>& corners, std::size_t step) const {
+    [[nodiscard]] static Change between(const std::array<Corner, 2>& corners, const Hermite& place) {
         Change sum;
         for (std::size_t k = 0; k < 2; ++k) {
-            const double value = hermite_[step].value[k][0];
+            const double value = place.value[k][0];
             sum.share += value * corners[k].change.share;
-            sum.turn += value * corners[k].change.turn + hermite_[step].slope[k][0] * corners[k].slope;
+            sum.turn += value * corners[k].change.turn + place.slope[k][0] * corners[k].slope;
         }
         return sum;
     }
@@ -207,7 +201,6 @@ private:
     const MeshLattice before_;
     const QuadMesh& mesh_;
     Sharpness sharpness_;
-    std::size_t steps_;
     std::vector<Change> changes_; ///< by halfedge: of the derivative at its beginning
     std::vector<Hermite> hermite_;
 };

@@ -25,7 +25,7 @@ FoldTest::FoldTest(const MeshLattice& lattice, const FoldLimits& limits)
 
 BilinearQuad FoldTest::quad(FaceId face) const {
     const int end = lattice_.squares();
-    const auto corner = [&](int i, int j) { return lattice_.point(lattice_.numbers()(face, i, j)); };
+    const auto corner = [&](int i, int j) { return lattice_.point(face, i, j); };
     return BilinearQuad({corner(0, 0), corner(end, 0), corner(end, end), corner(0, end)});
 }
 
@@ -37,7 +37,7 @@ bool FoldTest::foldsOver(FaceId face) const {
 bool FoldTest::foldsInSquares(FaceId face, const BilinearQuad& quad) const {
     const int squares = lattice_.squares();
     const double side = 1.0 / squares;
-    const auto point = [&](int i, int j) { return lattice_.point(lattice_.numbers()(face, i, j)); };
+    const auto point = [&](int i, int j) { return lattice_.point(face, i, j); };
     for (int j = 0; j < squares; ++j)
         for (int i = 0; i < squares; ++i) {
             const Point square =

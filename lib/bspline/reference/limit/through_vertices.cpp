@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 
 namespace qm {
 namespace {
@@ -26,27 +25,22 @@ public:
         const HalfedgeId side = mesh_.halfedge_handle(edge, 0);
         const Point& begin = missing_[at(mesh_.from_vertex_handle(side))];
         const Point& end = missing_[at(mesh_.to_vertex_handle(side))];
-        for (int i = 1; i < lattice_.squares(); ++i) {
-            const auto& value = hermite_[at(i)].value;
-            add(lattice_.numbers()(side, i, 0), value[0][0] * begin + value[1][0] * end);
-        }
+        lattice_.moveEdge(side, [&](int k) {
+            const auto& value = hermite_[at(k)].value;
+            return lattice_.point(side, k, 0) + (value[0][0] * begin + value[1][0] * end);
+        });
     }
 
     void moveFace(FaceId face) {
         std::array<Point, 4> missing;
         std::ranges::transform(lattice_.numbers().corners(face), missing.begin(),
                                [&](VertexId vertex) { return missing_[at(vertex)]; });
-        for (int j = 1; j < lattice_.squares(); ++j)
-            for (int i = 1; i < lattice_.squares(); ++i)
-                add(lattice_.numbers()(face, i, j),
-                    betweenCorners(hermite_[at(i)], hermite_[at(j)], missing));
+        lattice_.moveInside(face, [&](int i, int j) {
+            return lattice_.point(face, i, j) + betweenCorners(hermite_[at(i)], hermite_[at(j)], missing);
+        });
     }
 
 private:
-    void add(std::size_t number, const Point& distance) {
-        lattice_.move(number, lattice_.point(number) + distance);
-    }
-
     MeshLattice& lattice_;
     const QuadMesh& mesh_;
     std::vector<Point> missing_;   ///< by vertex

@@ -27,7 +27,7 @@ class Unfolding {
 public:
     Unfolding(MeshLattice& lattice, const Sharpness& sharpness, const PlaneCorners* corners,
               const FoldLimits& limits, unsigned jobs)
-        : lattice_(lattice), numbers_(lattice.numbers()), mesh_(numbers_.mesh()), squares_(lattice.squares()),
+        : lattice_(lattice), mesh_(lattice.numbers().mesh()), squares_(lattice.squares()),
           sharpness_(sharpness), corners_(corners), jobs_(jobs), test_(lattice, limits),
           isUpright_(uprightFaces(mesh_, sharpness.edges, jobs)), faceStages_(mesh_.n_faces(), interpolated),
           edgeStages_(mesh_.n_edges(), interpolated) {}
@@ -46,11 +46,6 @@ public:
 
 private:
     [[nodiscard]] double share(int k) const { return static_cast<double>(k) / squares_; }
-
-    /// In column i and row j of a face.
-    [[nodiscard]] Point point(FaceId face, int i, int j) const {
-        return lattice_.point(numbers_(face, i, j));
-    }
 
     /// Faces that were drawn along with their neighbours may fold for that reason.
     /// \return those about which more can be done
@@ -115,9 +110,7 @@ private:
 
     /// The curve above an edge somewhere goes back, or nearly so.
     [[nodiscard]] bool turnsBack(EdgeId edge) const {
-        const auto point = [&](int k) {
-            return lattice_.point(numbers_(mesh_.halfedge_handle(edge, 0), k, 0));
-        };
+        const auto point = [&](int k) { return lattice_.point(mesh_.halfedge_handle(edge, 0), k, 0); };
         const Point chord = unit(point(squares_) - point(0));
         for (int k = 0; k < squares_; ++k) {
             const Point step = point(k + 1) - point(k);
@@ -128,18 +121,16 @@ private:
 
     void drawBetweenEnds(HalfedgeId halfedge, const EdgeCurves& curves) {
         const SplineCurve curve = bezier(curves.above(halfedge), 1);
-        for (int k = 1; k < squares_; ++k)
-            lattice_.move(numbers_(halfedge, k, 0), evaluate(curve, share(k)));
+        lattice_.moveEdge(halfedge, [&](int k) { return evaluate(curve, share(k)); });
     }
 
     /// Moves a curve by a share of the way to its edge.
     void straighten(HalfedgeId halfedge, double way) {
-        const Point begin = lattice_.point(numbers_(halfedge, 0, 0));
-        const Point chord = lattice_.point(numbers_(halfedge, squares_, 0)) - begin;
-        for (int k = 1; k < squares_; ++k) {
-            const std::size_t number = numbers_(halfedge, k, 0);
-            lattice_.move(number, (1 - way) * lattice_.point(number) + way * (begin + share(k) * chord));
-        }
+        const Point begin = lattice_.point(halfedge, 0, 0);
+        const Point chord = lattice_.point(halfedge, squares_, 0) - begin;
+        lattice_.moveEdge(halfedge, [&](int k) {
+            return (1 - way) * lattice_.point(halfedge, k, 0) + way * (begin + share(k) * chord);
+        });
     }
 
     void fill(FaceId face, const MeshLattice& before) {
@@ -149,24 +140,21 @@ private:
             });
         else if (std::ranges::any_of(mesh_.fe_range(face),
                                      [&](EdgeId edge) { return edgeStages_[at(edge)] != interpolated; }))
-            fill(face, [&](int i, int j) { return before.point(numbers_(face, i, j)); });
+            fill(face, [&](int i, int j) { return before.point(face, i, j); });
     }
 
     /// Puts the inner points where a form has them, moved as the form's border is to be moved to get to the
     /// face's; the corners are the same (docs/METHOD.md#coons-1967).
     template <class Form> void fill(FaceId face, const Form& form) {
-        const auto missing = [&](int i, int j) { return point(face, i, j) - form(i, j); };
-        for (int j = 1; j < squares_; ++j)
-            for (int i = 1; i < squares_; ++i) {
-                const double s = share(i), t = share(j);
-                lattice_.move(numbers_(face, i, j), form(i, j) + (1 - t) * missing(i, 0) +
-                                                        t * missing(i, squares_) + (1 - s) * missing(0, j) +
-                                                        s * missing(squares_, j));
-            }
+        const auto missing = [&](int i, int j) { return lattice_.point(face, i, j) - form(i, j); };
+        lattice_.moveInside(face, [&](int i, int j) {
+            const double s = share(i), t = share(j);
+            return form(i, j) + (1 - t) * missing(i, 0) + t * missing(i, squares_) + (1 - s) * missing(0, j) +
+                   s * missing(squares_, j);
+        });
     }
 
     MeshLattice& lattice_;
-    const LatticeNumbers& numbers_;
     const QuadMesh& mesh_;
     int squares_;
     Sharpness sharpness_;

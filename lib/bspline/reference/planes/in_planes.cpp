@@ -49,15 +49,13 @@ private:
     using Row = std::vector<Vector>;
 
     [[nodiscard]] Vector before(HalfedgeId side, std::size_t along, std::size_t depth) const {
-        return vector(
-            before_.point(before_.numbers()(side, static_cast<int>(along), static_cast<int>(depth))));
+        return vector(before_.point(side, static_cast<int>(along), static_cast<int>(depth)));
     }
 
     [[nodiscard]] const Vector& turn(HalfedgeId leaving) const { return turns_[at(leaving)]; }
 
     [[nodiscard]] Vector derivative(const Row& row, std::size_t end) const {
-        return derivativeAtEnd(before_.squares(), end,
-                               [&](std::size_t k) -> const Vector& { return row[k]; });
+        return derivativeAtEnd(before_.squares(), end, [&](int k) -> const Vector& { return row[at(k)]; });
     }
 
     /// Changes a row so that its values, or derivatives, at both ends are as wanted.
@@ -102,9 +100,7 @@ private:
             }
         }
         addSlopes(ways, {turn(side), -turn(back)});
-        for (std::size_t k = 1; k < last_; ++k)
-            lattice_.move(lattice_.numbers()(side, static_cast<int>(k), 0),
-                          point(before(side, k, 0) + ways[k]));
+        lattice_.moveEdge(side, [&](int k) { return point(before(side, at(k), 0) + ways[at(k)]); });
     }
 
     /// The derivatives across a side, inwards, of the points along it.
@@ -128,10 +124,8 @@ private:
 
     [[nodiscard]] Side sideOf(HalfedgeId side) const {
         Side result{Row(last_ + 1), Row(last_ + 1, Vector::Zero()), Vector::Zero()};
-        for (std::size_t k = 0; k <= last_; ++k) {
-            const std::size_t number = lattice_.numbers()(side, static_cast<int>(k), 0);
-            result.ways[k] = vector(lattice_.point(number) - before_.point(number));
-        }
+        for (int k = 0; k <= lattice_.squares(); ++k)
+            result.ways[at(k)] = vector(lattice_.point(side, k, 0) - before_.point(side, k, 0));
         const Row inwards = inward(side);
         const auto off = [&](int part, const Vector& derivative) {
             if (part == PlaneParts::none) return Vector(Vector::Zero());
@@ -180,16 +174,13 @@ private:
         if (part != PlaneParts::none)
             std::ranges::transform(before_.numbers().corners(face), offs.begin(),
                                    [&](VertexId corner) { return off(corners_.plane(part), corner); });
-        for (std::size_t j = 1; j < last_; ++j)
-            for (std::size_t i = 1; i < last_; ++i) {
-                Point to = point(before(first, i, j) + ways[place(0, i, j)]);
-                if (part != PlaneParts::none) {
-                    const Plane& plane = corners_.plane(part);
-                    to +=
-                        (betweenCorners(hermite_[i], hermite_[j], offs) - plane.distance(to)) * plane.normal;
-                }
-                lattice_.move(lattice_.numbers()(first, static_cast<int>(i), static_cast<int>(j)), to);
-            }
+        lattice_.moveInside(first, [&](int i, int j) {
+            Point to = point(before(first, at(i), at(j)) + ways[place(0, at(i), at(j))]);
+            if (part == PlaneParts::none) return to;
+            const Plane& plane = corners_.plane(part);
+            const double off = betweenCorners(hermite_[at(i)], hermite_[at(j)], offs);
+            return Point(to + (off - plane.distance(to)) * plane.normal);
+        });
     }
 
     /// The place of a point of a face, counted from one of its sides, in a list row by row.
