@@ -24,7 +24,7 @@ namespace qm {
     return endsOf(mesh, mesh.halfedge_handle(edge, 0));
 }
 
-/// The faces on both sides of an inner edge.
+/// The faces on both sides of an edge; beyond the boundary an invalid one.
 [[nodiscard]] inline std::array<FaceId, 2> facesBeside(const QuadMesh& mesh, EdgeId edge) {
     return {mesh.face_handle(mesh.halfedge_handle(edge, 0)), mesh.face_handle(mesh.halfedge_handle(edge, 1))};
 }

@@ -149,10 +149,7 @@ VertexFan vertexFan(const QuadMesh& mesh, const BorderMarks& marks, VertexId ver
 
 std::vector<double> tangentRatios(const QuadMesh& mesh, const VertexFan& fan, const VertexRule& rule) {
     const std::size_t count = fan.borders.size();
-    const auto isPassed = [&](std::size_t border) {
-        return rule.kind == VertexRule::Kind::crease &&
-               std::ranges::count(rule.along, fan.borders[border]) > 0;
-    };
+    const auto isPassed = [&](std::size_t border) { return rule.onward(fan.borders[border]).is_valid(); };
     std::vector<double> ratios(count);
     for (const Sector& sector : sectors(fan)) {
         const std::size_t end = sector.begin + sector.size;

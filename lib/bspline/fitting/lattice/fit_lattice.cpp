@@ -108,8 +108,7 @@ VertexRule::Kind cornerRule(const QuadMesh& mesh, const Segment& segment, std::s
     const VertexRule& rule = network.rules[at(vertex)];
     const auto endsHere = [&](VertexId next) {
         const HalfedgeId halfedge = mesh.find_halfedge(vertex, next);
-        return network.marks.isCrease[at(mesh.edge_handle(halfedge))] &&
-               std::ranges::find(rule.along, halfedge) == rule.along.end();
+        return network.marks.isCrease[at(mesh.edge_handle(halfedge))] && !rule.onward(halfedge).is_valid();
     };
     const auto& before = segment.sides[(side + 3) % 4];
     const bool isEnd = rule.kind == VertexRule::Kind::crease &&

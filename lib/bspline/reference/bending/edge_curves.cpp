@@ -25,9 +25,9 @@ Point EdgeCurves::alongSurface(HalfedgeId leaving) const {
     const double length = along.norm();
     const bool isSharp = sharpness_.edges[at(mesh_.edge_handle(leaving))];
     if (isSharp && rule.kind == VertexRule::Kind::crease) {
-        const auto& [one, other] = rule.along;
-        if (leaving != one && leaving != other) return along;
-        const Point before = mesh_.calc_edge_vector(leaving == one ? other : one);
+        const HalfedgeId onward = rule.onward(leaving);
+        if (!onward.is_valid()) return along;
+        const Point before = mesh_.calc_edge_vector(onward);
         // Of the parabola through the three vertices, by the lengths of both edges.
         return length * unit(unit(along) * before.norm() - unit(before) * length);
     }

@@ -4,7 +4,6 @@
 #include "bspline/splines/evaluate.h"
 #include "mesh/topology.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -16,11 +15,6 @@ constexpr std::size_t maxEdges = 8;
 
 /// A derivative changes by this share of itself at most: by 27 degrees if it only turns.
 constexpr double maxShare = 0.5;
-
-/// Whether a curve of creases passes along a halfedge that leaves a vertex.
-bool follows(const VertexRule& rule, HalfedgeId leaving) {
-    return std::ranges::find(rule.along, leaving) != rule.along.end();
-}
 
 class ParabolicEnds {
 public:
@@ -37,16 +31,13 @@ private:
     [[nodiscard]] bool isSharp(HalfedgeId halfedge) const {
         return sharpness_.edges[at(mesh_.edge_handle(halfedge))];
     }
-    [[nodiscard]] const VertexRule& ruleAt(HalfedgeId leaving) const {
-        return sharpness_.rules[at(mesh_.from_vertex_handle(leaving))];
-    }
 
     /// Whether a line begins with a halfedge, and can be turned alone: a mesh line between two creases, or a
     /// crease with single quads on both sides.
     [[nodiscard]] bool isEnd(HalfedgeId leaving) const {
-        const VertexRule& rule = ruleAt(leaving);
+        const VertexRule& rule = sharpness_.rules[at(mesh_.from_vertex_handle(leaving))];
         if (rule.kind == VertexRule::Kind::smooth || rule.kind == VertexRule::Kind::dart) return false;
-        if (isSharp(leaving) && rule.kind == VertexRule::Kind::crease && follows(rule, leaving)) return false;
+        if (rule.onward(leaving).is_valid()) return false;
         return isSharp(mesh_.cw_rotated_halfedge_handle(leaving)) &&
                isSharp(mesh_.ccw_rotated_halfedge_handle(leaving));
     }
@@ -59,9 +50,8 @@ private:
             return rule.kind == VertexRule::Kind::smooth && continuesStraight(mesh_, vertex)
                        ? straightOn(mesh_, halfedge)
                        : HalfedgeId();
-        const HalfedgeId back = mesh_.opposite_halfedge_handle(halfedge);
-        if (!isRegularCrease(mesh_, vertex, rule) || !follows(rule, back)) return HalfedgeId();
-        return rule.along[rule.along[0] == back ? 1 : 0];
+        if (!isRegularCrease(mesh_, vertex, rule)) return HalfedgeId();
+        return rule.onward(mesh_.opposite_halfedge_handle(halfedge));
     }
 
     /// The first edges of a line.

@@ -7,6 +7,7 @@
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/splines/spline_curve.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -69,10 +70,8 @@ private:
         for (std::size_t k = 0; k < count; ++k)
             for (const EdgeId edge : mesh_.fe_range(faces[k])) {
                 if (!redraw(edge, curves)) continue;
-                for (const unsigned side : {0U, 1U})
-                    if (const FaceId face = mesh_.face_handle(mesh_.halfedge_handle(edge, side));
-                        face.is_valid())
-                        faces.push_back(face);
+                for (const FaceId face : facesBeside(mesh_, edge))
+                    if (face.is_valid()) faces.push_back(face);
             }
         sortUnique(faces);
         return faces;
@@ -99,9 +98,8 @@ private:
     [[nodiscard]] Stage stageBeside(EdgeId edge) const {
         Stage stage = interpolated;
         bool areUpright = true;
-        for (const unsigned side : {0U, 1U}) {
-            const FaceId face = mesh_.face_handle(mesh_.halfedge_handle(edge, side));
-            if (!face.is_valid()) continue; // beyond the boundary
+        for (const FaceId face : facesBeside(mesh_, edge)) {
+            if (!face.is_valid()) continue;
             areUpright = areUpright && isUpright_[at(face)];
             stage = std::max(stage, faceStages_[at(face)]);
         }

@@ -76,16 +76,12 @@ private:
         return plane.distance(before_.point(at(vertex)));
     }
 
-    [[nodiscard]] int partBeside(HalfedgeId side) const {
-        return mesh_.is_boundary(side) ? PlaneParts::none : corners_.partOf(mesh_.face_handle(side));
-    }
-
     /// Moves a curve the least way into the planes of the quads beside it, and turns its ends.
     void moveEdge(HalfedgeId side) {
         const HalfedgeId back = mesh_.opposite_halfedge_handle(side);
         Row ways(last_ + 1, Vector::Zero());
         OrthogonalNormals normals;
-        for (const int part : {partBeside(side), partBeside(back)}) {
+        for (const int part : {corners_.partBeside(side), corners_.partBeside(back)}) {
             if (part == PlaneParts::none) continue;
             const Plane& plane = corners_.plane(part);
             const Vector normal = vector(plane.normal);
@@ -137,9 +133,8 @@ private:
                                 off(corners_.partAtCorner(next), derivative(inwards, 1))};
         result.twist = twists[0];
         if (!isCrease_[at(mesh_.edge_handle(side))]) {
-            const int inside = partBeside(side);
-            const int part =
-                inside != PlaneParts::none ? inside : partBeside(mesh_.opposite_halfedge_handle(side));
+            int part = corners_.partBeside(side);
+            if (part == PlaneParts::none) part = corners_.partBeside(mesh_.opposite_halfedge_handle(side));
             for (std::size_t k = 0; k <= last_; ++k)
                 result.across[k] = off(part, inwards[k]);
         }

@@ -56,15 +56,12 @@ bool PlaneCorners::isBound(VertexId vertex) const {
 /// Gives every corner around a vertex the part that its sector has.
 void PlaneCorners::findSectors(VertexId vertex, const std::vector<bool>& isCrease) {
     const std::vector<HalfedgeId> leaving = leavingFrom(mesh_, firstLeaving(mesh_, vertex, isCrease));
-    const auto partOfQuad = [&](HalfedgeId corner) {
-        return mesh_.is_boundary(corner) ? PlaneParts::none : partOf(mesh_.face_handle(corner));
-    };
     for (std::size_t begin = 0, end = 0; begin < leaving.size(); begin = end) {
         int part = PlaneParts::none;
         bool isOne = true;
         for (end = begin; end < leaving.size(); ++end) {
             if (end > begin && isCrease[at(mesh_.edge_handle(leaving[end]))]) break;
-            const int ofQuad = partOfQuad(leaving[end]);
+            const int ofQuad = partBeside(leaving[end]);
             if (ofQuad == PlaneParts::none) continue;
             isOne = isOne && (part == PlaneParts::none || part == ofQuad);
             part = ofQuad;
@@ -109,10 +106,8 @@ std::vector<int> PlaneCorners::partsOf(HalfedgeId leaving) const {
             if (ofCorner_[at(corner)] != PlaneParts::none) parts.push_back(ofCorner_[at(corner)]);
     };
     addBeside(leaving);
-    const VertexRule& rule = rules_[at(mesh_.from_vertex_handle(leaving))];
-    if (rule.kind != VertexRule::Kind::crease) return parts;
-    for (std::size_t k = 0; k < 2; ++k)
-        if (rule.along[k] == leaving) addBeside(rule.along[1 - k]);
+    const HalfedgeId onward = rules_[at(mesh_.from_vertex_handle(leaving))].onward(leaving);
+    if (onward.is_valid()) addBeside(onward);
     return parts;
 }
 

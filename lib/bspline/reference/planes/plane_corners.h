@@ -20,8 +20,9 @@ public:
 
     /// Whether the mesh has no plane parts.
     [[nodiscard]] bool isEmpty() const { return parts_.planes.empty(); }
-    /// The part that has a whole quad, or none.
+    /// The part that has a whole quad, or the one beside a halfedge; or none.
     [[nodiscard]] int partOf(FaceId face) const { return parts_.ofFace[at(face)]; }
+    [[nodiscard]] int partBeside(HalfedgeId side) const { return parts_.beside(mesh_, side); }
     /// The part that the surface follows where the face of a halfedge has its corner at the halfedge's
     /// beginning, or none.
     [[nodiscard]] int partAtCorner(HalfedgeId leaving) const { return ofCorner_[at(leaving)]; }

@@ -53,7 +53,7 @@ public:
         const auto widthOf = [&](int part) { return areas[at(part)] / outlines[at(part)]; };
         std::vector<double> shared(parts_.planes.size());
         forOutlines([&](int part, HalfedgeId side) {
-            const int beyond = partBeside(mesh_.opposite_halfedge_handle(side));
+            const int beyond = partBeyond(side);
             if (isCrease_[at(mesh_.edge_handle(side))] || beyond == none) return;
             if (widthOf(part) < muchWider * widthOf(beyond)) shared[at(part)] += mesh_.calc_edge_length(side);
         });
@@ -75,9 +75,7 @@ private:
         for (const HalfedgeId side : mesh_.halfedges()) {
             const int part = partBeside(side);
             if (part == none) continue;
-            if (isCrease_[at(mesh_.edge_handle(side))] ||
-                partBeside(mesh_.opposite_halfedge_handle(side)) != part)
-                function(part, side);
+            if (isCrease_[at(mesh_.edge_handle(side))] || partBeyond(side) != part) function(part, side);
         }
     }
 
@@ -86,8 +84,9 @@ private:
             if (part != none && !isKept(part)) part = none;
     }
 
-    [[nodiscard]] int partBeside(HalfedgeId side) const {
-        return mesh_.is_boundary(side) ? none : parts_.ofFace[at(mesh_.face_handle(side))];
+    [[nodiscard]] int partBeside(HalfedgeId side) const { return parts_.beside(mesh_, side); }
+    [[nodiscard]] int partBeyond(HalfedgeId side) const {
+        return partBeside(mesh_.opposite_halfedge_handle(side));
     }
 
     /// Of the quad beside a halfedge, at right angles to it.

@@ -1,6 +1,7 @@
 /// \file Parts of a mesh that are plane (docs/METHOD.md#reference).
 #pragma once
 
+#include "base/at.h"
 #include "bspline/reference/planes/plane.h"
 #include "mesh/quad_mesh.h"
 
@@ -15,6 +16,11 @@ struct PlaneParts {
     std::vector<int> ofFace; ///< by face: its part, or none
 
     static constexpr int none = -1;
+
+    /// The part of the quad beside a halfedge; none on the boundary.
+    [[nodiscard]] int beside(const QuadMesh& mesh, HalfedgeId side) const {
+        return mesh.is_boundary(side) ? none : ofFace[at(mesh.face_handle(side))];
+    }
 };
 
 /// The part whose quads surround a vertex without creases, or none.
