@@ -32,6 +32,10 @@ struct Stretch {
 /// The patch's parameter along its side at a parameter of the stretch.
 [[nodiscard]] double patchParameter(const std::array<int, 2>& size, const StretchSide& place, double x);
 
+/// The patch's parameters (u, v) there.
+[[nodiscard]] std::array<double, 2> patchPlace(const std::array<int, 2>& size, const StretchSide& place,
+                                               double x);
+
 /// The parameter of the stretch at a parameter of the patch along its side.
 [[nodiscard]] double stretchParameter(const std::array<int, 2>& size, const StretchSide& place,
                                       double parameter);

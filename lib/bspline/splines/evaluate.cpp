@@ -103,6 +103,10 @@ Point unit(const Point& vector) {
     return length > 0 ? vector / length : Point(0, 0, 0);
 }
 
+Point SurfacePoint::normal() const {
+    return unitNormal(du, dv).value_or(Point(0, 0, 0));
+}
+
 std::optional<Point> unitNormal(const Point& du, const Point& dv) {
     const Point normal = du % dv;
     const double length = normal.norm();

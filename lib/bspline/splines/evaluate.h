@@ -15,6 +15,9 @@ struct SurfacePoint {
     Point position{0, 0, 0};
     Point du{0, 0, 0}; ///< partial derivatives
     Point dv{0, 0, 0};
+
+    /// See `unitNormal`; zero where the surface is degenerate.
+    [[nodiscard]] Point normal() const;
 };
 
 /// Smallest and largest u, smallest and largest v.

@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 #include "bspline/splines/evaluate.h"
-#include "layout/sides.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -49,13 +48,8 @@ EvenVertex bordersAround(const QuadMesh& mesh, const SmoothNetwork& network,
 }
 
 SurfacePoint onBorder(const ReferenceGrid& grid, const StretchSide& place, double x) {
-    const double along = patchParameter(grid.size, place, x);
-    const double across = isFarSide(place.side) ? grid.size[directionAcross(place.side)] : 0;
-    return directionAlong(place.side) == 0 ? grid.evaluate(along, across) : grid.evaluate(across, along);
-}
-
-Point normalOf(const SurfacePoint& point) {
-    return unitNormal(point.du, point.dv).value_or(Point(0, 0, 0));
+    const auto [u, v] = patchPlace(grid.size, place, x);
+    return grid.evaluate(u, v);
 }
 
 void addPlaces(const SmoothNetwork& network, const std::vector<ReferenceGrid>& grids, EvenVertex& vertex) {
@@ -67,7 +61,7 @@ void addPlaces(const SmoothNetwork& network, const std::vector<ReferenceGrid>& g
     Point normal(0, 0, 0);
     for (const EvenBorder& border : vertex.borders)
         for (const std::size_t side : {0U, 1U})
-            normal += normalOf(evaluate(border.end, side, 0));
+            normal += evaluate(border.end, side, 0).normal();
     normal.normalize_cond();
     for (EvenBorder& border : vertex.borders) {
         const Point origin = evaluate(border.end, 0, 0).position;
@@ -76,7 +70,7 @@ void addPlaces(const SmoothNetwork& network, const std::vector<ReferenceGrid>& g
         while (distance <= length) {
             const SurfacePoint point = evaluate(border.end, 0, distance);
             border.places.push_back({distance, normal | (point.position - origin),
-                                     std::clamp(normal | normalOf(point), minCosine, 1.0)});
+                                     std::clamp(normal | point.normal(), minCosine, 1.0)});
             distance = nextDistance(distance);
         }
     }

@@ -50,16 +50,9 @@ private:
     /// The part of a border along which a tangent ratio does not vanish.
     [[nodiscard]] KnotCell along(const StretchSide& place, double x, double reach) const {
         const auto& size = plan_.sizes()[place.patch];
-        const std::size_t direction = directionAlong(place.side);
-        const double a = patchParameter(size, place, x);
-        const double b = patchParameter(size, place, x + reach);
-        const double across = isFarSide(place.side) ? size[1 - direction] : 0;
-        KnotCell cell;
-        cell.begin[direction] = std::min(a, b);
-        cell.end[direction] = std::max(a, b);
-        cell.begin[1 - direction] = across;
-        cell.end[1 - direction] = across;
-        return cell;
+        const auto [begin, end] =
+            std::minmax({patchPlace(size, place, x), patchPlace(size, place, x + reach)});
+        return {begin, end}; // one of both coordinates is the same
     }
 
     void shortenIfNeeded(std::size_t index, std::size_t end) {

@@ -173,7 +173,7 @@ FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector
     lattice.edge.reserve(points.size());
     for (const SurfacePoint& point : points) {
         lattice.reference.push_back(point.position);
-        lattice.normals.push_back(unitNormal(point.du, point.dv).value_or(Point(0, 0, 0)));
+        lattice.normals.push_back(point.normal());
         lattice.jacobian.push_back((point.du % point.dv).norm());
         lattice.edge.push_back(std::sqrt(std::min(point.du.sqrnorm(), point.dv.sqrnorm())));
     }

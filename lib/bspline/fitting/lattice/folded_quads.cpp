@@ -32,7 +32,7 @@ void replaceFoldedNormals(const LatticeSource& source, FitLattice& lattice) {
         forPoints(cell, lattice, [&](std::size_t k) {
             const auto parameters = lattice.parametersAt(k);
             const SurfacePoint point = flat.evaluate(parameters[0] - u, parameters[1] - v);
-            lattice.normals[k] = lattice.axes[k] = unitNormal(point.du, point.dv).value_or(Point(0, 0, 0));
+            lattice.normals[k] = lattice.axes[k] = point.normal();
             lattice.jacobian[k] = (point.du % point.dv).norm();
             lattice.isGuess[k] = true;
         });

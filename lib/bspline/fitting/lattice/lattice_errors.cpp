@@ -27,7 +27,7 @@ bool isFolded(const FitLattice& lattice, std::size_t k, const SurfacePoint& poin
 /// distance in, because the chord between two points of a parabola is perpendicular to it. Zero where the
 /// normals differ too much.
 Point meanNormal(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
-    const Point sum = lattice.axes[k] + unitNormal(point.du, point.dv).value_or(Point(0, 0, 0));
+    const Point sum = lattice.axes[k] + point.normal();
     const double length = sum.norm();
     return length > 1 ? sum / length : Point(0, 0, 0);
 }

@@ -48,7 +48,7 @@ NormalLimits::NormalLimits(const ReferenceGrid& grid) : size_{qm::at(grid.size[0
     std::vector<Point> normals;
     std::array<std::vector<Point>, 2> tangents;
     for (const SurfacePoint& point : grid.evaluateLattice(gridLines(grid.size[0]), gridLines(grid.size[1]))) {
-        normals.push_back(unitNormal(point.du, point.dv).value_or(Point(0, 0, 0)));
+        normals.push_back(point.normal());
         tangents[0].push_back(unit(point.du));
         tangents[1].push_back(unit(point.dv));
     }
