@@ -1,7 +1,6 @@
 #include "bspline/reference/improvement/bridged_mesh.h"
 
 #include "base/at.h"
-#include "base/sort_unique.h"
 #include "bspline/reference/improvement/smooth_continuation.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/reference/lattice/sound_faces.h"
@@ -89,18 +88,21 @@ private:
         if (moved_.all().empty()) return false;
         for (int ring = 0; ring <= maxRings; ++ring) {
             if (ring > 0) grow();
-            const std::vector<Point> before = points();
+            const std::vector<Point> before = pointsOf(mesh_, moved_.all());
+            const auto points = smoothContinuation(
+                mesh_, moved_, [&](VertexId beside) { return mayMove(beside); }, 1);
+            if (!points) break;
             const auto wrongBefore = wrongQuads();
-            if (!continueSmoothly()) break;
+            setPoints(mesh_, moved_.all(), *points);
             const auto wrong = wrongQuads();
+            setPoints(mesh_, moved_.all(), before);
             if (wrongBefore - wrong > gain) {
                 gain = wrongBefore - wrong;
-                best = points();
+                best = *points;
             }
-            setPoints(before);
             if (wrong == 0) break;
         }
-        setPoints(best);
+        setPoints(mesh_, moved_.all(), best);
         for (std::size_t k = 0; k < best.size(); ++k)
             for (const FaceId beside : mesh_.vf_range(moved_.all()[k]))
                 isFolded_[at(beside)] = qm::isFolded(mesh_, beside);
@@ -118,20 +120,6 @@ private:
                     take(other);
     }
 
-    /// Of the vertices that move.
-    [[nodiscard]] std::vector<Point> points() const {
-        std::vector<Point> result;
-        for (const VertexId vertex : moved_.all())
-            result.push_back(mesh_.point(vertex));
-        return result;
-    }
-
-    /// Of the first of them.
-    void setPoints(const std::vector<Point>& points) {
-        for (std::size_t k = 0; k < points.size(); ++k)
-            mesh_.set_point(moved_.all()[k], points[k]);
-    }
-
     /// How many quads at the vertices that move are folded, or turned over against one beside them.
     [[nodiscard]] std::ptrdiff_t wrongQuads() const {
         const auto agrees = [&](HalfedgeId side) {
@@ -147,18 +135,6 @@ private:
             for (const FaceId face : mesh_.vf_range(vertex))
                 if (!isUpright(face)) wrong.insert(face);
         return std::ssize(wrong);
-    }
-
-    /// Moves them to where the smoothest continuation of what stays has them.
-    bool continueSmoothly() {
-        std::vector<VertexId> even = moved_.all();
-        for (const VertexId vertex : moved_.all())
-            for (const VertexId beside : mesh_.vv_range(vertex))
-                if (!moved_.contains(beside) && mayMove(beside)) even.push_back(beside);
-        sortUnique(even);
-        const auto points = smoothContinuation(mesh_, moved_, even, 1);
-        if (points) setPoints(*points);
-        return points.has_value();
     }
 
     QuadMesh mesh_;

@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
-#include "base/sort_unique.h"
 #include "bspline/reference/improvement/smooth_continuation.h"
 #include "bspline/reference/planes/plane_parts.h"
 #include "mesh/quad_geometry.h"
@@ -103,26 +102,18 @@ std::vector<Point> evened(const QuadMesh& mesh, const std::vector<VertexId>& inn
     MovingVertices moving;
     for (const VertexId vertex : inner)
         moving.add(vertex);
-    std::vector<VertexId> even = inner;
-    for (const VertexId vertex : inner)
-        for (const VertexId beside : mesh.vv_range(vertex))
-            if (!moving.contains(beside) && !isHub(mesh, beside)) even.push_back(beside);
-    sortUnique(even);
-    return smoothContinuation(mesh, moving, even, jobs).value_or(std::vector<Point>{});
+    const auto counts = [&](VertexId beside) { return !isHub(mesh, beside); };
+    return smoothContinuation(mesh, moving, counts, jobs).value_or(std::vector<Point>{});
 }
 
 /// Moves vertices unless that would turn quads over.
 /// \return whether it did
 bool move(const InnerPart& part, const std::vector<Point>& points, QuadMesh& mesh) {
     const std::size_t wrongBefore = wrongQuads(mesh, part);
-    std::vector<Point> before;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        before.push_back(mesh.point(part.vertices[k]));
-        mesh.set_point(part.vertices[k], points[k]);
-    }
+    const std::vector<Point> before = pointsOf(mesh, part.vertices);
+    setPoints(mesh, part.vertices, points);
     if (wrongQuads(mesh, part) <= wrongBefore) return true;
-    for (std::size_t k = 0; k < points.size(); ++k)
-        mesh.set_point(part.vertices[k], before[k]);
+    setPoints(mesh, part.vertices, before);
     return false;
 }
 

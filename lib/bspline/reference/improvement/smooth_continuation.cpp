@@ -1,9 +1,12 @@
 #include "bspline/reference/improvement/smooth_continuation.h"
 
+#include "base/sort_unique.h"
 #include "bspline/solver/sparse_factors.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <Eigen/SparseCore>
+
+#include <cstddef>
 
 namespace qm {
 
@@ -16,7 +19,13 @@ bool isHub(const QuadMesh& mesh, VertexId vertex) {
 }
 
 std::optional<std::vector<Point>> smoothContinuation(const QuadMesh& mesh, const MovingVertices& moving,
-                                                     const std::vector<VertexId>& even, unsigned jobs) {
+                                                     const std::function<bool(VertexId)>& counts,
+                                                     unsigned jobs) {
+    std::vector<VertexId> even = moving.all();
+    for (const VertexId vertex : moving.all())
+        for (const VertexId beside : mesh.vv_range(vertex))
+            if (!moving.contains(beside) && counts(beside)) even.push_back(beside);
+    sortUnique(even);
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(even.size()), 3);
     bool isHeld = false;
@@ -47,6 +56,18 @@ std::optional<std::vector<Point>> smoothContinuation(const QuadMesh& mesh, const
     for (Eigen::Index k = 0; k < solution.rows(); ++k)
         points.push_back(point(solution.row(k)));
     return points;
+}
+
+std::vector<Point> pointsOf(const QuadMesh& mesh, const std::vector<VertexId>& vertices) {
+    std::vector<Point> points;
+    for (const VertexId vertex : vertices)
+        points.push_back(mesh.point(vertex));
+    return points;
+}
+
+void setPoints(QuadMesh& mesh, const std::vector<VertexId>& vertices, const std::vector<Point>& points) {
+    for (std::size_t k = 0; k < points.size(); ++k)
+        mesh.set_point(vertices[k], points[k]);
 }
 
 } // namespace qm

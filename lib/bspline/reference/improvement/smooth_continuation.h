@@ -4,6 +4,7 @@
 
 #include "mesh/quad_mesh.h"
 
+#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -34,13 +35,18 @@ private:
 /// difference does not count, lest equations become quadratic in their number.
 [[nodiscard]] bool isHub(const QuadMesh& mesh, VertexId vertex);
 
-/// Least squares of the differences between vertices and the mean of their neighbours: a thin plate through
-/// what stays.
-/// \param even  the vertices whose differences count, among them all that move
+/// Least squares of the differences between vertices and the mean of their neighbours, for those that move
+/// and those beside them: a thin plate through what stays.
+/// \param counts  whether the difference of a vertex beside those that move counts
 /// \return by moving vertex; nothing if a whole component moves, so that nothing says where
-[[nodiscard]] std::optional<std::vector<Point>> smoothContinuation(const QuadMesh& mesh,
-                                                                   const MovingVertices& moving,
-                                                                   const std::vector<VertexId>& even,
-                                                                   unsigned jobs);
+[[nodiscard]] std::optional<std::vector<Point>>
+smoothContinuation(const QuadMesh& mesh, const MovingVertices& moving,
+                   const std::function<bool(VertexId)>& counts, unsigned jobs);
+
+/// The places of vertices.
+[[nodiscard]] std::vector<Point> pointsOf(const QuadMesh& mesh, const std::vector<VertexId>& vertices);
+
+/// Moves as many of the vertices as there are places.
+void setPoints(QuadMesh& mesh, const std::vector<VertexId>& vertices, const std::vector<Point>& points);
 
 } // namespace qm
