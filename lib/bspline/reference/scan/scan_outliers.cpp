@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace qm {
 namespace {
@@ -15,21 +17,27 @@ namespace {
 /// Standard deviations at which Tukey's biweight ends, as is usual.
 constexpr double biweightEnd = 4.685;
 
-/// How far every point is from the median of those around it, up to so many grains away: the smaller value,
-/// where it is in two grids; infinite where it has no target.
-std::vector<double> residualsOfAll(const ScanTargets& targets, int reach) {
+/// The median around a point of a grid, up to so many grains away.
+/// \param valueAt  (i, j) the value of a point of the grid, or none
+template <class ValueAt>
+double medianAround(const ScanTargets& targets, int i, int j, int reach, const ValueAt& valueAt) {
     const int grain = targets.stepsOfGrain();
+    std::vector<double> values;
+    for (int down = -reach; down <= reach; ++down)
+        for (int right = -reach; right <= reach; ++right)
+            if (const auto value = valueAt(i + grain * right, j + grain * down)) values.push_back(*value);
+    return median(values);
+}
+
+/// How far every point is from the median of those around it: the smaller value, where it is in two grids;
+/// infinite where it has no target.
+std::vector<double> residualsOfAll(const ScanTargets& targets, int reach) {
     std::vector<double> residuals(targets.weights.size(), infinity);
-    std::vector<double> around;
     targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
-        const auto own = targets.offset(g, i, j);
-        if (!own) return;
-        around.clear();
-        for (int down = -reach; down <= reach; ++down)
-            for (int right = -reach; right <= reach; ++right)
-                if (const auto other = targets.offset(g, i + grain * right, j + grain * down))
-                    around.push_back(*other);
-        residuals[number] = std::min(residuals[number], std::abs(*own - median(around)));
+        const auto offsetAt = [&](int k, int m) { return targets.offset(g, k, m); };
+        if (const auto own = offsetAt(i, j))
+            residuals[number] =
+                std::min(residuals[number], std::abs(*own - medianAround(targets, i, j, reach, offsetAt)));
     });
     return residuals;
 }
@@ -38,19 +46,14 @@ std::vector<double> residualsOfAll(const ScanTargets& targets, int reach) {
 /// smaller value, where it is in two grids.
 std::vector<double> usualResiduals(const ScanTargets& targets, const std::vector<double>& residuals) {
     constexpr int reach = 2;
-    const int grain = targets.stepsOfGrain();
     std::vector<double> usual(residuals.size(), infinity);
-    std::vector<double> around;
     targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
         if (targets.weights[number] <= 0) return;
-        around.clear();
-        for (int down = -reach; down <= reach; ++down)
-            for (int right = -reach; right <= reach; ++right) {
-                const auto other = targets.numberAt(g, i + grain * right, j + grain * down);
-                if (other && targets.weights[*other] > 0 && !targets.lattice.sharp[*other])
-                    around.push_back(residuals[*other]);
-            }
-        usual[number] = std::min(usual[number], median(around));
+        const auto residualAt = [&](int k, int m) {
+            return targets.offset(g, k, m) ? std::optional(residuals[*targets.numberAt(g, k, m)])
+                                           : std::nullopt;
+        };
+        usual[number] = std::min(usual[number], medianAround(targets, i, j, reach, residualAt));
     });
     return usual;
 }

@@ -35,13 +35,12 @@ double meanEdgeLength(const TriangleSurface& scan) {
 } // namespace
 
 FitTarget scanReference(const QuadMesh& mesh, const Layout& layout, const std::vector<ReferenceGrid>& surface,
-                        const TriangleSurface& scan, unsigned jobs, double maxDistance) {
+                        const TriangleSurface& scan, unsigned jobs) {
     if (surface.empty()) return {.coverage = 0};
     const LatticeNormals lattice = latticeNormals(mesh, layout, surface, jobs);
     const double edge = meanEdgeLength(mesh);
     const double step = edge / surface.front().steps;
-    const ScanReach reach = maxDistance > 0 ? ScanReach{maxDistance, maxDistance} : ScanReach{step, 2 * edge};
-    ScanProjection projection = projectOntoScan(lattice, scan, reach, jobs);
+    ScanProjection projection = projectOntoScan(lattice, scan, {.min = step, .max = 2 * edge}, jobs);
     ScanTargets targets(lattice, surface, std::move(projection.displacements));
     targets.grain = meanEdgeLength(scan) / step;
     const double grain = std::max(1.0, targets.grain);
