@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace qm {
 namespace {
@@ -13,6 +14,13 @@ std::vector<bool> marked(const std::vector<PatchErrors>& errors, const OfKind& i
     std::vector<bool> marks(errors.size());
     std::transform(errors.begin(), errors.end(), marks.begin(), isOfKind);
     return marks;
+}
+
+/// By how much a patch exceeds the tolerance, in tolerances; a patch that is only folded counts a little.
+double missedBy(const PatchErrors& errors) {
+    constexpr double foldsAlone = 0.05;
+    if (const double farthest = errors.maxDistance(); farthest > 1) return farthest - 1;
+    return errors.max() > 1 ? foldsAlone : 0;
 }
 
 } // namespace
@@ -46,7 +54,10 @@ bool FitErrors::isAnyFolded() const {
 }
 
 RoundScore FitErrors::scoreOf(const std::vector<Patch>& patches) const {
-    return qm::scoreOf(missed_, worst_ <= 1, patches);
+    constexpr double share = 0.2; // many patches that miss a little are worse than one
+    const double all = std::accumulate(missed_.begin(), missed_.end(), 0.0);
+    const double largest = missed_.empty() ? 0 : std::ranges::max(missed_);
+    return {worst_ <= 1, largest + share * all, controlPointCount(patches)};
 }
 
 bool FitErrors::tighten(const std::vector<double>& distances) {

@@ -55,7 +55,7 @@ private:
     double tolerance_;
     std::vector<PatchErrors> ofPatch_;
     std::vector<GivenUpCells> givenUp_; ///< by patch
-    std::vector<double> missed_;        ///< by patch: see `missedBy`; before anything is given up
+    std::vector<double> missed_;        ///< by patch: its excess before anything is given up
     std::vector<double> scale_;         ///< by patch: factor of its errors
     double worst_ = 0;
     double excess_ = 0;

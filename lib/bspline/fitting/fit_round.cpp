@@ -1,22 +1,6 @@
 #include "bspline/fitting/fit_round.h"
 
-#include <algorithm>
-#include <numeric>
-
 namespace qm {
-
-double missedBy(const PatchErrors& errors) {
-    constexpr double foldsAlone = 0.05;
-    if (const double farthest = errors.maxDistance(); farthest > 1) return farthest - 1;
-    return errors.max() > 1 ? foldsAlone : 0;
-}
-
-RoundScore scoreOf(const std::vector<double>& missed, bool keeps, const std::vector<Patch>& patches) {
-    constexpr double share = 0.2; // many patches that miss a little are worse than one
-    const double all = std::accumulate(missed.begin(), missed.end(), 0.0);
-    const double largest = missed.empty() ? 0 : std::ranges::max(missed);
-    return {keeps, largest + share * all, controlPointCount(patches)};
-}
 
 bool isBetter(const RoundScore& one, const RoundScore& other, Criterion first) {
     constexpr double factor = 1.05;

@@ -4,7 +4,6 @@
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/lattice/fit_lattice.h"
 #include "bspline/fitting/lattice/given_up_cells.h"
-#include "bspline/fitting/lattice/lattice_errors.h"
 #include "bspline/splines/surfaces.h"
 
 #include <cstddef>
@@ -32,13 +31,6 @@ struct FitRound {
     std::vector<GivenUpCells> givenUp; ///< by patch
     std::vector<double> distances;     ///< by patch, in tolerances, if they have been verified
 };
-
-/// By how much a patch exceeds the tolerance, in tolerances; a patch that is only folded counts a little.
-[[nodiscard]] double missedBy(const PatchErrors& errors);
-
-/// \param missed  by patch, see `missedBy`
-[[nodiscard]] RoundScore scoreOf(const std::vector<double>& missed, bool keeps,
-                                 const std::vector<Patch>& patches);
 
 /// What counts first when two rounds are compared.
 enum class Criterion {
