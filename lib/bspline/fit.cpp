@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/infinity.h"
 #include "base/number_text.h"
-#include "bspline/fitting/centred_fit.h"
+#include "bspline/fitting/smooth_fit.h"
 #include "bspline/measure/max_deviations.h"
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
@@ -109,7 +109,7 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
     effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
     const QuadMesh& upright = reference.meshOf(mesh);
     if (mesh.n_faces() <= manyFaces)
-        return fitCentred({upright, layout, reference.network, reference.target, verify}, effort, control);
+        return fitSmooth({upright, layout, reference.network, reference.target, verify}, effort, control);
 
     double nearest = infinity; // of what was verified, in tolerances
     const Verification noted = [&](const std::vector<Patch>& patches) {
@@ -118,10 +118,10 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
         return found;
     };
     const FitProblem problem{upright, layout, reference.network, reference.target, noted};
-    std::vector<Patch> patches = fitCentred(problem, effort, control);
+    std::vector<Patch> patches = fitSmooth(problem, effort, control);
     if (nearest <= farOff || control.stopRequested()) return patches;
     const double before = std::exchange(nearest, infinity);
-    std::vector<Patch> better = fitCentred(problem, withPatience(effort), control);
+    std::vector<Patch> better = fitSmooth(problem, withPatience(effort), control);
     return nearest < before ? better : patches;
 }
 

@@ -13,7 +13,9 @@ namespace qm {
 /// Fits patches that share their borders and are G1 across all borders that are not creases. The tolerance is
 /// missed where the shortest knot intervals (see `MinInterval`) do not suffice, or where bicubics cannot
 /// follow the reference, or if `control.stopRequested`, which ends the search for knots after the round it is
-/// in. Patches that the verification finds too far away are fitted more closely.
+/// in. Patches that the verification finds too far away are fitted more closely. A model that is farther from
+/// the origin than it is large is moved there meanwhile: otherwise its coordinates would leave too few digits
+/// for patches to meet exactly.
 /// \return one patch per segment, in their order
 [[nodiscard]] std::vector<Patch> fitSmooth(const FitProblem& problem, const SmoothFitOptions& options,
                                            const Control& control);

@@ -1,6 +1,5 @@
 #include "bspline/fitting/first_solution.h"
 #include "bspline/fitting/fit_state.h"
-#include "bspline/fitting/knots/even_reaches.h"
 #include "bspline/fitting/knots/even_vertices.h"
 #include "bspline/fitting/knots/reach_alignment.h"
 #include "support/network_of.h"

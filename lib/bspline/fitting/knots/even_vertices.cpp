@@ -15,6 +15,15 @@ namespace {
 /// The place nearest to the vertex at which the reference is looked at, in mesh edges.
 constexpr double nearest = 1.0 / 16;
 
+/// The shortest reach that is tried, even where a longer one is too long already.
+constexpr double minReach = 1.0 / 8;
+
+/// The distances at which reaches may end, and at which the reference is looked at: after this it doubles up
+/// to one mesh edge, and grows by one edge from there on.
+double nextDistance(double distance) {
+    return distance < 1 ? 2 * distance : distance + 1;
+}
+
 /// The normals of reference and vertex are taken to form no larger angle than this cosine tells.
 constexpr double minCosine = 0.2;
 
@@ -91,6 +100,12 @@ EvenBorder::Place placeAt(const EvenBorder& border, double distance) {
             std::lerp(a.cosine, b.cosine, share)};
 }
 
+std::vector<double> limited(std::vector<double> reaches, double limit) {
+    for (double& reach : reaches)
+        reach = std::min(reach, limit);
+    return reaches;
+}
+
 } // namespace
 
 std::vector<EvenVertex> evenVertices(const QuadMesh& mesh, const SmoothNetwork& network,
@@ -129,6 +144,20 @@ double minError(const EvenVertex& vertex, const std::vector<double>& reaches) {
         perError += std::abs(weight) / place.cosine;
     }
     return perError > 0 ? std::abs(sum) / perError : 0;
+}
+
+void shortenAtEvenVertices(const std::vector<EvenVertex>& vertices, double allowed, KnotPlan& plan) {
+    for (const EvenVertex& vertex : vertices) {
+        const std::vector<double> before = reachesAt(vertex, plan);
+        if (before.empty() || minError(vertex, before) <= allowed) continue;
+        double common = minReach;
+        const double longest = std::ranges::max(before);
+        while (nextDistance(common) < longest &&
+               minError(vertex, limited(before, nextDistance(common))) <= allowed)
+            common = nextDistance(common);
+        for (std::size_t k = 0; k < before.size(); ++k)
+            if (before[k] > common) plan.limitReach(vertex.borders[k].end, common);
+    }
 }
 
 } // namespace qm

@@ -27,12 +27,6 @@ struct EvenVertex {
     std::vector<EvenBorder> borders; ///< those with a tangent ratio
 };
 
-/// The distances at which reaches may end, and at which the reference is looked at: after this it doubles up
-/// to one mesh edge, and grows by one edge from there on.
-[[nodiscard]] constexpr double nextDistance(double distance) {
-    return distance < 1 ? 2 * distance : distance + 1;
-}
-
 /// All even vertices at which tangent ratios begin or end.
 /// \param grids  the reference, by patch
 [[nodiscard]] std::vector<EvenVertex> evenVertices(const QuadMesh& mesh, const SmoothNetwork& network,
@@ -47,5 +41,10 @@ struct EvenVertex {
 /// alternating signs, sum up to 0.
 /// \param reaches  by border
 [[nodiscard]] double minError(const EvenVertex& vertex, const std::vector<double>& reaches);
+
+/// Where the borders of an even vertex cannot be as near to the reference as allowed, shortens the reaches of
+/// all of them to the longest one, in common to all, with which they can.
+/// \param allowed  the error of borders
+void shortenAtEvenVertices(const std::vector<EvenVertex>& vertices, double allowed, KnotPlan& plan);
 
 } // namespace qm

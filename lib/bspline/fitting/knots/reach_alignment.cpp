@@ -1,6 +1,5 @@
 #include "bspline/fitting/knots/reach_alignment.h"
 
-#include "bspline/fitting/knots/even_reaches.h"
 #include "layout/sides.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "bspline/fitting/planes/plane_demands.h"
 #include "bspline/fitting/system/continuity_equations.h"
 #include "bspline/fitting/system/free_patches.h"
-#include "bspline/fitting/system/free_unknowns.h"
 
 #include <algorithm>
 #include <utility>
@@ -34,17 +33,15 @@ std::vector<std::size_t> groupPatches(const KnotPlan& plan, const std::vector<Pa
             joined.join(stretch.sides[0].patch, stretch.sides[1].patch);
     std::vector<std::size_t> groupOf(spaces.size());
     std::vector<std::size_t> placeOf(spaces.size());
-    for (std::size_t patch = 0; patch < spaces.size(); ++patch) {
-        if (!moves[patch]) continue;
-        const std::size_t first = joined.find(patch);
-        if (first == patch) {
-            groupOf[patch] = groups.size();
-            groups.emplace_back();
+    for (const auto& patches : joined.members()) {
+        if (!moves[patches.front()]) continue;
+        MovingGroup& group = groups.emplace_back();
+        for (const std::size_t patch : patches) {
+            groupOf[patch] = groups.size() - 1;
+            placeOf[patch] = group.patches.size();
+            group.patches.push_back(patch);
+            group.unknowns += spaces[patch].size();
         }
-        MovingGroup& group = groups[groupOf[patch] = groupOf[first]];
-        placeOf[patch] = group.patches.size();
-        group.patches.push_back(patch);
-        group.unknowns += spaces[patch].size();
     }
     for (const Stretch& stretch : plan.stretches()) {
         const std::size_t one = stretch.sides[0].patch;

@@ -2,7 +2,6 @@
 
 #include "base/parallel.h"
 #include "bspline/fitting/system/continuity_equations.h"
-#include "bspline/fitting/system/free_unknowns.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <algorithm>
