@@ -11,9 +11,12 @@
 namespace qm {
 namespace {
 
-void insertSorted(std::vector<double>& list, double knot) {
+/// \return false if the list has the knot already
+bool insertSorted(std::vector<double>& list, double knot) {
     const auto place = std::ranges::lower_bound(list, knot);
-    if (place == list.end() || *place != knot) list.insert(place, knot);
+    if (place != list.end() && *place == knot) return false;
+    list.insert(place, knot);
+    return true;
 }
 
 /// Whether each edge of each side of each patch is smooth, in the direction of the parameters.
@@ -123,11 +126,8 @@ bool KnotPlan::allow(MinInterval length) {
 }
 
 bool KnotPlan::insert(std::size_t patch, std::size_t direction, double knot) {
-    auto& list = chosen_[patch][direction];
     const bool isInside = knot > 0 && knot < sizes_[patch][direction];
-    if (!isInside || std::ranges::binary_search(list, knot)) return false;
-    insertSorted(list, knot);
-    return true;
+    return isInside && insertSorted(chosen_[patch][direction], knot);
 }
 
 void KnotPlan::erase(std::size_t patch, std::size_t direction, double knot) {

@@ -3,7 +3,7 @@
 #include "base/at.h"
 #include "base/parallel.h"
 #include "base/positions.h"
-#include "bspline/fitting/lattice/folded_quads.h"
+#include "bspline/fitting/lattice/folded_normals.h"
 #include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/splines/evaluate.h"
 #include "layout/sides.h"
@@ -66,21 +66,6 @@ void markSide(const LatticeSource& source, int side, const std::vector<SurfacePo
         if (!onCurve || lattice.freedom[point] == Freedom::corner) continue;
         lattice.freedom[point] = Freedom::crease;
         lattice.axes[point] = unit(along == 0 ? points[point].du : points[point].dv);
-    }
-}
-
-/// Forgets the normals where the reference itself is folded: patches need not be free of folds there.
-void forgetFoldedNormals(FitLattice& lattice) {
-    const std::vector<Point> all = lattice.normals;
-    const std::size_t columns = lattice.columns();
-    const auto compare = [&](std::size_t a, std::size_t b) {
-        if ((all[a] | all[b]) > 0) return;
-        lattice.normals[a] = lattice.normals[b] = Point(0, 0, 0);
-        lattice.jacobian[a] = lattice.jacobian[b] = 0;
-    };
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        if ((k + 1) % columns != 0) compare(k, k + 1);
-        if (k + columns < all.size()) compare(k, k + columns);
     }
 }
 
@@ -179,8 +164,7 @@ FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector
     }
     lattice.axes = lattice.normals;
     lattice.isGuess.assign(points.size(), false);
-    replaceFoldedNormals(source, lattice);
-    forgetFoldedNormals(lattice);
+    mendFoldedNormals(source, lattice);
     lattice.targets.points = lattice.reference;
     lattice.freedom.assign(points.size(), Freedom::surface);
     lattice.emphasis.assign(points.size(), 1);

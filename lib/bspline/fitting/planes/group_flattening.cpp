@@ -1,6 +1,7 @@
 #include "bspline/fitting/planes/group_flattening.h"
 
 #include "base/at.h"
+#include "base/grid_neighbours.h"
 #include "base/parallel.h"
 #include "bspline/fitting/planes/min_change.h"
 #include "bspline/splines/eigen_point.h"
@@ -42,7 +43,7 @@ public:
         for (const std::size_t patch : group_.patches)
             for (const Point& point : patches_[patch].controlPoints)
                 points_.row(row(unknown++)) = vector(point);
-        size_ = largestDistance(points_);
+        size_ = points_.rowwise().norm().maxCoeff();
     }
 
     bool run() {
@@ -66,12 +67,10 @@ private:
         std::vector<NeighbouringPoints> neighbours;
         std::size_t first = 0;
         for (const std::size_t patch : group_.patches) {
-            const std::size_t columns = at(patches_[patch].count[0]);
             const std::size_t count = patches_[patch].controlPoints.size();
-            for (std::size_t k = 0; k < count; ++k) {
-                if ((k + 1) % columns != 0) neighbours.push_back({first + k, first + k + 1});
-                if (k + columns < count) neighbours.push_back({first + k, first + k + columns});
-            }
+            forGridNeighbours(at(patches_[patch].count[0]), count, [&](std::size_t a, std::size_t b) {
+                neighbours.push_back({first + a, first + b});
+            });
             first += count;
         }
         return neighbours;
@@ -190,7 +189,7 @@ private:
     std::vector<std::optional<FlatPatch>>& flat_;
     std::vector<Patch>& patches_;
     Eigen::MatrixX3d points_; ///< before flattening
-    double size_ = 0;         ///< their largest distance from the origin
+    double size_ = 0; ///< their largest distance from the origin, relative to which roundings are measured
 };
 
 } // namespace

@@ -116,8 +116,4 @@ Eigen::VectorXd missingHeights(const std::vector<PlaneDemand>& demands, const Ei
     return result;
 }
 
-double largestDistance(const Eigen::MatrixX3d& points) {
-    return points.rowwise().norm().maxCoeff();
-}
-
 } // namespace qm

@@ -47,7 +47,4 @@ private:
 [[nodiscard]] Eigen::VectorXd missingHeights(const std::vector<PlaneDemand>& demands,
                                              const Eigen::MatrixX3d& points);
 
-/// The largest distance of a point from the origin, relative to which rounding errors are measured.
-[[nodiscard]] double largestDistance(const Eigen::MatrixX3d& points);
-
 } // namespace qm

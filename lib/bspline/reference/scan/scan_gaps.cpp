@@ -1,6 +1,6 @@
 #include "bspline/reference/scan/scan_gaps.h"
 
-#include "base/at.h"
+#include "base/grid_neighbours.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -44,15 +44,6 @@ private:
         return gaps_ == Gaps::butForSharpOnes && lattice_.sharp[number];
     }
 
-    /// Pairs of neighbours on the lattice lines; those on common borders come twice, once from either side.
-    template <class Function> void forEachPair(const Function& f) const {
-        lattice_.forEachPoint([&](std::size_t g, std::size_t k, std::size_t) {
-            const std::size_t columns = surface_[g].columns();
-            if (k % columns + 1 < columns) f(g, k, k + 1);
-            if (k + columns < lattice_.numbers[g].size()) f(g, k, k + columns);
-        });
-    }
-
     [[nodiscard]] Eigen::MatrixX3d solve() const {
         // Keeps the equations solvable where no target is near, and stays there at the surface.
         constexpr double pull = 1e-9;
@@ -73,10 +64,13 @@ private:
             else
                 entries.emplace_back(row, static_cast<Eigen::Index>(j), -1);
         };
-        forEachPair([&](std::size_t g, std::size_t a, std::size_t b) {
-            add(g, a, b);
-            add(g, b, a);
-        });
+        // Those on common borders come twice, once from either side.
+        for (std::size_t g = 0; g < surface_.size(); ++g)
+            forGridNeighbours(surface_[g].columns(), surface_[g].points.size(),
+                              [&](std::size_t a, std::size_t b) {
+                                  add(g, a, b);
+                                  add(g, b, a);
+                              });
         Eigen::SparseMatrix<double> matrix(size, size);
         matrix.setFromTriplets(entries.begin(), entries.end());
         Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(matrix);

@@ -1,4 +1,4 @@
-/// \file Quads over which the reference folds although the mesh does not (docs/METHOD.md#smooth-fit).
+/// \file Normals of the reference where it folds (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "bspline/fitting/lattice/fit_lattice.h"
@@ -6,8 +6,9 @@
 namespace qm {
 
 /// Where the reference folds over a sound quad, replaces its normals by those of the quad, which keeps the
-/// patch upright, and marks its points as guesses.
+/// patch upright, and marks its points as guesses. Elsewhere forgets normals on both sides of a fold: patches
+/// need not be free of folds there.
 /// \param lattice  has the reference's points, normals and Jacobians; the marks are allocated
-void replaceFoldedNormals(const LatticeSource& source, FitLattice& lattice);
+void mendFoldedNormals(const LatticeSource& source, FitLattice& lattice);
 
 } // namespace qm

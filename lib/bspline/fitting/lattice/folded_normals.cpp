@@ -1,6 +1,7 @@
-#include "bspline/fitting/lattice/folded_quads.h"
+#include "bspline/fitting/lattice/folded_normals.h"
 
 #include "base/at.h"
+#include "base/grid_neighbours.h"
 #include "bspline/fitting/lattice/lattice_cells.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/splines/evaluate.h"
@@ -14,9 +15,7 @@ namespace {
 /// degrees.
 constexpr double uprightCosine = 0.17;
 
-} // namespace
-
-void replaceFoldedNormals(const LatticeSource& source, FitLattice& lattice) {
+void replaceOverSoundQuads(const LatticeSource& source, FitLattice& lattice) {
     const auto& [columns, rows] = source.grid->size;
     for (int quad = 0; quad < columns * rows; ++quad) {
         if (!source.isSound[at(quad)]) continue;
@@ -37,6 +36,18 @@ void replaceFoldedNormals(const LatticeSource& source, FitLattice& lattice) {
             lattice.isGuess[k] = true;
         });
     }
+}
+
+} // namespace
+
+void mendFoldedNormals(const LatticeSource& source, FitLattice& lattice) {
+    replaceOverSoundQuads(source, lattice);
+    const std::vector<Point> all = lattice.normals;
+    forGridNeighbours(lattice.columns(), all.size(), [&](std::size_t a, std::size_t b) {
+        if ((all[a] | all[b]) > 0) return;
+        lattice.normals[a] = lattice.normals[b] = Point(0, 0, 0);
+        lattice.jacobian[a] = lattice.jacobian[b] = 0;
+    });
 }
 
 } // namespace qm
