@@ -112,12 +112,11 @@ void addPatchTargets(const PatchSpace& space, const PatchTargets& targets, Eigen
             const std::size_t k = j * basisU.size() + i;
             const Eigen::RowVector3d target = targets.weights[k] * vector(targets.points[k]).transpose();
             for (std::size_t a = 0; a < 4; ++a)
-                row.row(static_cast<Eigen::Index>(basisU[i].first + a)) += basisU[i].value[a] * target;
+                row.row(eigenIndex(basisU[i].first + a)) += basisU[i].value[a] * target;
         }
         for (std::size_t b = 0; b < 4; ++b) {
-            const auto first =
-                static_cast<Eigen::Index>(space.firstUnknown + (basisV[j].first + b) * columns);
-            rightHandSide.middleRows(first, static_cast<Eigen::Index>(columns)) += basisV[j].value[b] * row;
+            const auto first = eigenIndex(space.firstUnknown + (basisV[j].first + b) * columns);
+            rightHandSide.middleRows(first, eigenIndex(columns)) += basisV[j].value[b] * row;
         }
     }
 }

@@ -24,10 +24,6 @@ constexpr double tooMuch = 20;
 /// as a demand that cannot be met keeps those around it away, too.
 constexpr double worst = 0.8;
 
-Eigen::Index row(std::size_t unknown) {
-    return static_cast<Eigen::Index>(unknown);
-}
-
 /// What the patches of a group demand of their control points.
 struct Demands {
     std::vector<PlaneDemand> planes;
@@ -38,11 +34,11 @@ class GroupFlattening {
 public:
     GroupFlattening(const MovingGroup& group, std::vector<std::optional<FlatPatch>>& flat,
                     std::vector<Patch>& patches)
-        : group_(group), flat_(flat), patches_(patches), points_(row(group.unknowns), 3) {
+        : group_(group), flat_(flat), patches_(patches), points_(eigenIndex(group.unknowns), 3) {
         std::size_t unknown = 0;
         for (const std::size_t patch : group_.patches)
             for (const Point& point : patches_[patch].controlPoints)
-                points_.row(row(unknown++)) = vector(point);
+                points_.row(eigenIndex(unknown++)) = vector(point);
         size_ = points_.rowwise().norm().maxCoeff();
     }
 
@@ -119,7 +115,7 @@ private:
     [[nodiscard]] std::vector<double> largestOf(const Demands& demands, const Eigen::VectorXd& values) const {
         std::vector<double> largest(group_.patches.size());
         for (std::size_t k = 0; k < demands.placeOf.size(); ++k)
-            largest[demands.placeOf[k]] = std::max(largest[demands.placeOf[k]], values[row(k)]);
+            largest[demands.placeOf[k]] = std::max(largest[demands.placeOf[k]], values[eigenIndex(k)]);
         return largest;
     }
 
@@ -140,13 +136,13 @@ private:
     /// \param moved  by unknown
     [[nodiscard]] std::vector<double> pushing(const Demands& demands, const Eigen::VectorXd& moved,
                                               double allowed) const {
-        Eigen::VectorXd ofDemands(row(demands.planes.size()));
+        Eigen::VectorXd ofDemands(eigenIndex(demands.planes.size()));
         for (std::size_t k = 0; k < demands.planes.size(); ++k)
-            ofDemands[row(k)] = moved[row(demands.planes[k].unknown)];
+            ofDemands[eigenIndex(k)] = moved[eigenIndex(demands.planes[k].unknown)];
         std::vector<double> ofPatch;
         Eigen::Index unknown = 0;
         for (const std::size_t patch : group_.patches) {
-            const Eigen::Index count = row(patches_[patch].controlPoints.size());
+            const Eigen::Index count = eigenIndex(patches_[patch].controlPoints.size());
             ofPatch.push_back(moved.segment(unknown, count).maxCoeff());
             unknown += count;
         }
@@ -182,7 +178,7 @@ private:
         std::size_t unknown = 0;
         for (const std::size_t patch : group_.patches)
             for (Point& to : patches_[patch].controlPoints)
-                to = point(Eigen::Vector3d(flat.row(row(unknown++))));
+                to = point(Eigen::Vector3d(flat.row(eigenIndex(unknown++))));
     }
 
     const MovingGroup& group_;

@@ -37,10 +37,6 @@ movement(std::size_t points, const std::vector<NeighbouringPoints>& neighbours, 
     return entries;
 }
 
-Eigen::Index row(std::size_t point) {
-    return static_cast<Eigen::Index>(point);
-}
-
 constexpr std::size_t coordinates = 3;
 
 /// The same equation for one coordinate, if all three of every point are numbered one after the other.
@@ -78,14 +74,14 @@ Eigen::MatrixX3d MinChange::run(const std::vector<PlaneDemand>& demands,
             forms.push_back(ofCoordinate(equation, k));
     std::ranges::transform(demands, std::back_inserter(forms), height);
     const Eigen::VectorXd missing = missingHeights(demands, points);
-    Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(row(forms.size()), 3);
+    Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(eigenIndex(forms.size()), 3);
     constants.col(0).tail(missing.size()) = missing; // the other columns are not needed
     const ConstrainedSystem system(coordinates * points_, movement(points_, neighbours_, coordinates), forms,
                                    constants, 1);
-    const Eigen::Index all = row(coordinates * points_);
+    const Eigen::Index all = eigenIndex(coordinates * points_);
     Eigen::MatrixX3d solution;
     system.improve(Eigen::MatrixX3d::Zero(all, 3), Accuracy::rounding, solution);
-    return points + allowed(solution.col(0).head(all).reshaped(3, row(points_)).transpose());
+    return points + allowed(solution.col(0).head(all).reshaped(3, eigenIndex(points_)).transpose());
 }
 
 double MinChange::violation(const Eigen::MatrixX3d& change) const {
@@ -93,7 +89,7 @@ double MinChange::violation(const Eigen::MatrixX3d& change) const {
     for (const LinearForm& equation : equations_) {
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
         for (std::size_t k = 0; k < equation.unknowns.size(); ++k)
-            sum += equation.weights[k] * change.row(row(equation.unknowns[k]));
+            sum += equation.weights[k] * change.row(eigenIndex(equation.unknowns[k]));
         largest = std::max(largest, sum.norm());
     }
     return largest;
@@ -102,17 +98,17 @@ double MinChange::violation(const Eigen::MatrixX3d& change) const {
 /// The change that is nearest to the given one among those that the equations allow.
 Eigen::MatrixX3d MinChange::allowed(const Eigen::MatrixX3d& change) const {
     const auto entries = movement(points_, neighbours_, 1);
-    Eigen::SparseMatrix<double> form(row(points_), row(points_));
+    Eigen::SparseMatrix<double> form(eigenIndex(points_), eigenIndex(points_));
     form.setFromTriplets(entries.begin(), entries.end());
     Eigen::MatrixX3d solution;
     allowed_.improve(form.selfadjointView<Eigen::Lower>() * change, Accuracy::rounding, solution);
-    return solution.topRows(row(points_));
+    return solution.topRows(eigenIndex(points_));
 }
 
 Eigen::VectorXd missingHeights(const std::vector<PlaneDemand>& demands, const Eigen::MatrixX3d& points) {
-    Eigen::VectorXd result(row(demands.size()));
+    Eigen::VectorXd result(eigenIndex(demands.size()));
     for (Eigen::Index k = 0; const auto& [unknown, plane] : demands)
-        result[k++] = plane.offset - points.row(row(unknown)).dot(vector(plane.normal));
+        result[k++] = plane.offset - points.row(eigenIndex(unknown)).dot(vector(plane.normal));
     return result;
 }
 

@@ -20,7 +20,7 @@ Patch patchOf(const PatchSpace& space, std::size_t segment, const Eigen::MatrixX
     patch.count = {static_cast<int>(space.count(0)), static_cast<int>(space.count(1))};
     patch.controlPoints.reserve(space.size());
     for (std::size_t k = 0; k < space.size(); ++k)
-        patch.controlPoints.push_back(point(solution.row(static_cast<Eigen::Index>(space.firstUnknown + k))));
+        patch.controlPoints.push_back(point(solution.row(eigenIndex(space.firstUnknown + k))));
     return patch;
 }
 
@@ -47,9 +47,9 @@ FreeEquations freeEquations(const std::vector<LinearForm>& equations, const Free
                 constants.back() -= equation.weights[k] * vector(*fixed).transpose();
         result.forms.push_back(std::move(form));
     }
-    result.constants.resize(static_cast<Eigen::Index>(constants.size()), 3);
+    result.constants.resize(eigenIndex(constants.size()), 3);
     for (std::size_t row = 0; row < constants.size(); ++row)
-        result.constants.row(static_cast<Eigen::Index>(row)) = constants[row];
+        result.constants.row(eigenIndex(row)) = constants[row];
     return result;
 }
 
@@ -83,7 +83,7 @@ SmoothSystem::SmoothSystem(const KnotPlan& plan, const std::vector<PatchSpace>& 
     }
     const FreeEquations equations =
         freeEquations(continuityEquations(plan, spaces, isFree), unknowns, spaces, patches);
-    unknowns_ = static_cast<Eigen::Index>(unknowns.count());
+    unknowns_ = eigenIndex(unknowns.count());
     system_.emplace(unknowns.count(), std::move(all), equations.forms, equations.constants, jobs);
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
+#include "bspline/splines/eigen_point.h"
 
 #include <Eigen/LU>
 
@@ -98,7 +99,7 @@ std::vector<Eigen::Vector3d> minBendingTilts(const std::vector<BendingTerm>& ter
     constexpr double accuracy = 1e-6;
     constexpr int maxRounds = 100; // ten times what real meshes take
     const Preconditioner preconditioner(terms, vertices);
-    Values residual = rightHandSide(terms, static_cast<Eigen::Index>(3 * vertices));
+    Values residual = rightHandSide(terms, eigenIndex(3 * vertices));
     Values tilts = Values::Zero(residual.size());
     Values direction = preconditioner * residual;
     double size = residual.dot(direction);

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "bspline/reference/lattice/hermite.h"
+#include "bspline/splines/eigen_point.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -124,8 +125,8 @@ std::array<std::array<CornerChange, 3>, 4> unitChanges(const QuadSurface& surfac
     std::array<std::array<CornerChange, 3>, 4> changes{};
     for (std::size_t corner = 0; corner < frames.size(); ++corner)
         for (std::size_t k = 0; frames[corner] != nullptr && k < 3; ++k)
-            changes[corner][k] = changeOf(surface, corner, *frames[corner],
-                                          Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k)));
+            changes[corner][k] =
+                changeOf(surface, corner, *frames[corner], Eigen::Vector3d::Unit(eigenIndex(k)));
     return changes;
 }
 
@@ -181,7 +182,7 @@ std::vector<Eigen::Vector3d> QuadSurface::displacements(const CornerFrames& fram
     for (std::size_t corner = 0; corner < frames.size(); ++corner) {
         if (frames[corner] == nullptr) continue;
         const CornerChange change =
-            changeOf(*this, corner, *frames[corner], tilts.segment<3>(static_cast<Eigen::Index>(3 * corner)));
+            changeOf(*this, corner, *frames[corner], tilts.segment<3>(eigenIndex(3 * corner)));
         for (std::size_t k = 0; k < result.size(); ++k)
             result[k] +=
                 Lift(hermite[k % hermite.size()], hermite[k / hermite.size()], corner, change)(0, 0) *
@@ -205,7 +206,7 @@ QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames) 
                 if (frames[corner] == nullptr) continue;
                 const double share = frames[corner]->normal.dot(geometry.normal());
                 for (std::size_t k = 0; k < 3; ++k)
-                    change.col(static_cast<Eigen::Index>(3 * corner + k)) =
+                    change.col(eigenIndex(3 * corner + k)) =
                         geometry.ofLift(Lift(u.hermite, v.hermite, corner, changes[corner][k]), share);
             }
             const double weight = u.weight * v.weight * geometry.area();

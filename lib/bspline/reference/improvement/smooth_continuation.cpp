@@ -27,7 +27,7 @@ std::optional<std::vector<Point>> smoothContinuation(const QuadMesh& mesh, const
             if (!moving.contains(beside) && counts(beside)) even.push_back(beside);
     sortUnique(even);
     std::vector<Eigen::Triplet<double>> entries;
-    Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(even.size()), 3);
+    Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(eigenIndex(even.size()), 3);
     bool isHeld = false;
     for (int row = 0; const VertexId vertex : even) {
         const auto add = [&](VertexId of, double weight) {
@@ -45,7 +45,7 @@ std::optional<std::vector<Point>> smoothContinuation(const QuadMesh& mesh, const
         ++row;
     }
     if (!isHeld) return std::nullopt;
-    Eigen::SparseMatrix<double> matrix(constants.rows(), static_cast<Eigen::Index>(moving.all().size()));
+    Eigen::SparseMatrix<double> matrix(constants.rows(), eigenIndex(moving.all().size()));
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SparseMatrix<double> transposed = matrix.transpose();
     const Eigen::SparseMatrix<double> square = transposed * matrix;

@@ -31,7 +31,7 @@ public:
         const Eigen::MatrixX3d displacements = solve();
         lattice_.forEachPoint([&](std::size_t g, std::size_t k, std::size_t number) {
             if (unknowns_[number] == none) return;
-            const Eigen::Vector3d moved = displacements.row(static_cast<Eigen::Index>(unknowns_[number]));
+            const Eigen::Vector3d moved = displacements.row(eigenIndex(unknowns_[number]));
             reference_.grids[g].points[k] = surface_[g].points[k] + point(moved);
             reference_.weights[g][k] = weightInGaps;
         });
@@ -48,7 +48,7 @@ private:
         // Keeps the equations solvable where no target is near, and stays there at the surface.
         constexpr double pull = 1e-9;
         constexpr double accuracy = 1e-6;
-        const auto size = static_cast<Eigen::Index>(count_);
+        const auto size = eigenIndex(count_);
         std::vector<Eigen::Triplet<double>> entries;
         Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(size, 3);
         for (Eigen::Index i = 0; i < size; ++i)
@@ -57,12 +57,12 @@ private:
             const std::size_t i = unknowns_[lattice_.numbers[g][own]];
             const std::size_t j = unknowns_[lattice_.numbers[g][other]];
             if (i == none || isLeft(lattice_.numbers[g][other])) return;
-            const auto row = static_cast<Eigen::Index>(i);
+            const auto row = eigenIndex(i);
             entries.emplace_back(row, row, 1);
             if (j == none)
                 right.row(row) += vector(reference_.grids[g].points[other] - surface_[g].points[other]);
             else
-                entries.emplace_back(row, static_cast<Eigen::Index>(j), -1);
+                entries.emplace_back(row, eigenIndex(j), -1);
         };
         // Those on common borders come twice, once from either side.
         for (std::size_t g = 0; g < surface_.size(); ++g)

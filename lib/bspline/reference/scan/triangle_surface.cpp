@@ -69,8 +69,8 @@ Weights nearestWeights(const std::array<Vector3d, 3>& corners, const Vector3d& p
         if (!(distance < bestDistance)) continue;
         bestDistance = distance;
         best.setZero();
-        best[static_cast<Eigen::Index>(k)] = 1 - t;
-        best[static_cast<Eigen::Index>(next)] = t;
+        best[eigenIndex(k)] = 1 - t;
+        best[eigenIndex(next)] = t;
     }
     return best;
 }
@@ -115,16 +115,15 @@ struct TriangleSurface::Tree {
                                         const std::vector<Vector3d>& values) const {
         Vector3d sum = Vector3d::Zero();
         for (std::size_t k = 0; k < 3; ++k)
-            sum += weights[static_cast<Eigen::Index>(k)] * values[at(faces[face][k])];
+            sum += weights[eigenIndex(k)] * values[at(faces[face][k])];
         return sum;
     }
 
     [[nodiscard]] bool onBoundary(std::size_t face, const Weights& weights) const {
         for (std::size_t k = 0; k < 3; ++k) {
-            const double opposite = weights[static_cast<Eigen::Index>((k + 2) % 3)];
+            const double opposite = weights[eigenIndex((k + 2) % 3)];
             if (opposite == 0 && boundary.sides[3 * face + k]) return true;
-            if (weights[static_cast<Eigen::Index>(k)] == 1 && boundary.points[at(faces[face][k])])
-                return true;
+            if (weights[eigenIndex(k)] == 1 && boundary.points[at(faces[face][k])]) return true;
         }
         return false;
     }
@@ -204,7 +203,7 @@ std::optional<TriangleSurface::Nearest> TriangleSurface::alongLine(const Point& 
         // Volumes that the line's direction spans with the sides, seen from the point.
         Weights weights;
         for (std::size_t k = 0; k < 3; ++k)
-            weights[static_cast<Eigen::Index>(k)] =
+            weights[eigenIndex(k)] =
                 (corners[(k + 1) % 3] - point).cross(corners[(k + 2) % 3] - point).dot(along);
         const double sum = weights.sum();
         weights /= sum; // of no use if the triangle is seen edge on
