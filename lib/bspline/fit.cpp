@@ -10,7 +10,7 @@
 #include "bspline/measure/scan_deviation.h"
 #include "bspline/network/crease_paths.h"
 #include "bspline/reference/fit_reference.h"
-#include "bspline/reference/planes/plane_patches.h"
+#include "bspline/reference/planes/plane.h"
 #include "bspline/splines/interpolate.h"
 #include "mesh/bounding_box.h"
 

@@ -3,7 +3,7 @@
 
 #include "bspline/network/smooth_network.h"
 #include "bspline/reference/lattice/reference_grid.h"
-#include "bspline/reference/planes/plane_patches.h"
+#include "bspline/reference/planes/plane.h"
 #include "layout/layout.h"
 
 #include <array>

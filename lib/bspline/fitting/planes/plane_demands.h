@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/fitting/planes/flat_patches.h"
-#include "bspline/reference/planes/plane_patches.h"
+#include "bspline/reference/planes/plane.h"
 #include "bspline/splines/surfaces.h"
 
 #include <cstddef>
