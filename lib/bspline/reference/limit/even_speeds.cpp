@@ -2,10 +2,10 @@
 
 #include "base/at.h"
 #include "base/infinity.h"
-#include "bspline/reference/bending/crease_directions.h"
 #include "bspline/reference/lattice/hermite.h"
 #include "bspline/reference/lattice/lagrange.h"
 #include "bspline/reference/lattice/sound_faces.h"
+#include "bspline/reference/limit/crease_directions.h"
 #include "bspline/reference/limit/parabolic_ends.h"
 #include "mesh/parallel_elements.h"
 #include "mesh/topology.h"

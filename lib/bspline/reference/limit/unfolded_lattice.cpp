@@ -3,9 +3,9 @@
 #include "base/at.h"
 #include "base/parallel.h"
 #include "base/sort_unique.h"
-#include "bspline/reference/bending/edge_curves.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/reference/lattice/sound_faces.h"
+#include "bspline/reference/limit/edge_curves.h"
 #include "bspline/splines/spline_curve.h"
 #include "mesh/topology.h"
 

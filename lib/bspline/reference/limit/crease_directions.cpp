@@ -1,4 +1,4 @@
-#include "bspline/reference/bending/crease_directions.h"
+#include "bspline/reference/limit/crease_directions.h"
 
 #include "base/at.h"
 #include "bspline/splines/evaluate.h"

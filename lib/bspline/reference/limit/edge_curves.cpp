@@ -1,4 +1,4 @@
-#include "bspline/reference/bending/edge_curves.h"
+#include "bspline/reference/limit/edge_curves.h"
 
 #include "base/at.h"
 #include "bspline/splines/evaluate.h"
