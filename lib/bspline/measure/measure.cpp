@@ -7,7 +7,7 @@
 #include "bspline/measure/folds.h"
 #include "bspline/measure/shape_measures.h"
 #include "bspline/measure/vertex_distances.h"
-#include "bspline/reference/lattice/facet_grids.h"
+#include "bspline/reference/lattice/reference_grid.h"
 #include "mesh/bounding_box.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "bspline/measure/max_deviations.h"
-#include "bspline/reference/lattice/facet_grids.h"
+#include "bspline/reference/lattice/reference_grid.h"
 #include "support/fitted_model.h"
 
 #include <gtest/gtest.h>

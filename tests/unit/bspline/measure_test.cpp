@@ -2,7 +2,7 @@
 #include "bspline/measure/border_measures.h"
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
-#include "bspline/reference/lattice/facet_grids.h"
+#include "bspline/reference/lattice/reference_grid.h"
 #include "bspline/splines/interpolate.h"
 #include "mesh/bounding_box.h"
 #include "support/grid_layout.h"

@@ -1,5 +1,7 @@
 #include "bspline/reference/lattice/reference_grid.h"
 
+#include "bspline/splines/interpolate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -56,6 +58,13 @@ std::vector<SurfacePoint> ReferenceGrid::evaluateLattice(const std::vector<doubl
             result.push_back(combine(*this, column, row));
     }
     return result;
+}
+
+std::vector<ReferenceGrid> facetGrids(const QuadMesh& mesh, const Layout& layout) {
+    std::vector<ReferenceGrid> grids;
+    for (const Segment& segment : layout.segments)
+        grids.push_back({segment.size, 1, pointGrid(mesh, segment)});
+    return grids;
 }
 
 } // namespace qm

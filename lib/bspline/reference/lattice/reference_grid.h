@@ -4,6 +4,7 @@
 #include "base/at.h"
 #include "bspline/reference/lattice/lagrange.h"
 #include "bspline/splines/evaluate.h"
+#include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>
@@ -34,5 +35,8 @@ struct ReferenceGrid {
     [[nodiscard]] std::vector<SurfacePoint> evaluateLattice(const std::vector<double>& us,
                                                             const std::vector<double>& vs) const;
 };
+
+/// By segment: the quads of a mesh, bilinear.
+[[nodiscard]] std::vector<ReferenceGrid> facetGrids(const QuadMesh& mesh, const Layout& layout);
 
 } // namespace qm
