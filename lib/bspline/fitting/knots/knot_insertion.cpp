@@ -22,7 +22,7 @@ public:
     bool run() {
         for (std::size_t run = 0; run < plan_.runs().size(); ++run)
             for (std::size_t end = 0; end < 2; ++end)
-                shortenIfNeeded(run, end);
+                shortenIfNeeded({run, end});
         for (std::size_t patch = 0; patch < lattices_.size(); ++patch)
             for (const KnotCell& cell : cellsOf(spaces_[patch]))
                 divideCell(patch, cell);
@@ -55,16 +55,16 @@ private:
         return {begin, end}; // one of both coordinates is the same
     }
 
-    void shortenIfNeeded(std::size_t index, std::size_t end) {
-        const SmoothRun& run = plan_.runs()[index];
-        if (run.ratio.atEnd[end] == 0) return;
-        const double reach = run.ratio.reach[end];
-        const double x = end == 0 ? run.begin : run.end - reach;
+    void shortenIfNeeded(const RunEnd& end) {
+        const SmoothRun& run = plan_.runs()[end.run];
+        if (run.ratio.atEnd[end.end] == 0) return;
+        const double reach = run.ratio.reach[end.end];
+        const double x = end.end == 0 ? run.begin : run.end - reach;
         for (const StretchSide& place : plan_.stretches()[run.stretch].sides) {
             const WorstPoint worst =
                 worstIn(along(place, x, reach), lattices_[place.patch], errors_[place.patch]);
             if (worst.error <= limits_[place.patch]) continue;
-            changed_ = plan_.shorten(index, end) || changed_;
+            changed_ = plan_.shorten(end) || changed_;
             return;
         }
     }

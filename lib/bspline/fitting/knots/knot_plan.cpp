@@ -134,21 +134,22 @@ void KnotPlan::erase(std::size_t patch, std::size_t direction, double knot) {
     std::erase(chosen_[patch][direction], knot);
 }
 
-double KnotPlan::firstKnot(const SmoothRun& run, std::size_t end) const {
+double KnotPlan::firstKnot(const RunEnd& end) const {
+    const SmoothRun& run = runs_[end.run];
     double reach = run.ratio.length;
     for (const StretchSide& place : stretches()[run.stretch].sides)
         for (const double knot : chosen_[place.patch][directionAlong(place.side)]) {
             const double x = stretchParameter(sizes_[place.patch], place, knot);
-            if (x > run.begin && x < run.end) reach = std::min(reach, run.distanceFrom(end, x));
+            if (x > run.begin && x < run.end) reach = std::min(reach, run.distanceFrom(end.end, x));
         }
     return reach;
 }
 
 void KnotPlan::endAtFirstKnots() {
-    for (SmoothRun& run : runs_) {
-        TangentRatio& ratio = run.ratio;
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        TangentRatio& ratio = runs_[run].ratio;
         for (std::size_t end = 0; end < 2; ++end)
-            if (ratio.atEnd[end] != 0) ratio.reach[end] = firstKnot(run, end);
+            if (ratio.atEnd[end] != 0) ratio.reach[end] = firstKnot({run, end});
         if (!ratio.isLinear || (ratio.reach[0] == ratio.length && ratio.reach[1] == ratio.length)) continue;
         ratio.isLinear = false;
         for (double& reach : ratio.reach)
@@ -162,25 +163,27 @@ void KnotPlan::limitReach(const RunEnd& end, double max) {
     ratio.reach[end.end] = std::min(ratio.reach[end.end], max);
 }
 
-bool KnotPlan::shorten(std::size_t run, std::size_t end) {
-    TangentRatio& ratio = runs_[run].ratio;
-    if (ratio.atEnd[end] == 0) return false;
+bool KnotPlan::shorten(const RunEnd& end) {
+    TangentRatio& ratio = runs_[end.run].ratio;
+    if (ratio.atEnd[end.end] == 0) return false;
     if (ratio.isLinear) {
         endAtHalf(ratio);
         return true;
     }
-    for (const StretchSide& place : stretches()[runs_[run].stretch].sides)
-        if (ratio.reach[end] / 2 < minInterval(place.patch, directionAlong(place.side))) return false;
-    ratio.reach[end] = half(ratio.reach[end]);
+    double& reach = ratio.reach[end.end];
+    for (const StretchSide& place : stretches()[runs_[end.run].stretch].sides)
+        if (reach / 2 < minInterval(place.patch, directionAlong(place.side))) return false;
+    reach = half(reach);
     return true;
 }
 
-std::vector<PatchKnot> KnotPlan::knotsAt(const SmoothRun& run, std::size_t end, double reach) const {
+std::vector<PatchKnot> KnotPlan::knotsAt(const RunEnd& end, double reach) const {
+    const SmoothRun& run = runs_[end.run];
     std::vector<PatchKnot> knots;
     for (const StretchSide& place : stretches()[run.stretch].sides) {
         const auto& size = sizes_[place.patch];
         const std::size_t direction = directionAlong(place.side);
-        const double knot = patchParameter(size, place, run.parameterAt(end, reach));
+        const double knot = patchParameter(size, place, run.parameterAt(end.end, reach));
         if (knot > 0 && knot < size[direction]) knots.push_back({place.patch, direction, knot});
     }
     return knots;
@@ -188,11 +191,11 @@ std::vector<PatchKnot> KnotPlan::knotsAt(const SmoothRun& run, std::size_t end, 
 
 KnotLists KnotPlan::doubleKnots() const {
     KnotLists knots = alwaysDouble_;
-    for (const SmoothRun& run : runs_) {
-        if (run.ratio.isLinear) continue;
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        const TangentRatio& ratio = runs_[run].ratio;
         for (std::size_t end = 0; end < 2; ++end) {
-            if (run.ratio.atEnd[end] == 0) continue;
-            for (const auto& [patch, direction, knot] : knotsAt(run, end, run.ratio.reach[end]))
+            if (ratio.isLinear || ratio.atEnd[end] == 0) continue;
+            for (const auto& [patch, direction, knot] : knotsAt({run, end}, ratio.reach[end]))
                 insertSorted(knots[patch][direction], knot);
         }
     }

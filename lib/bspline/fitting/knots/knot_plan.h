@@ -77,10 +77,10 @@ public:
     void endAtFirstKnots();
 
     /// The knots inside the two patches of a run at which its tangent ratio ends with this reach.
-    [[nodiscard]] std::vector<PatchKnot> knotsAt(const SmoothRun& run, std::size_t end, double reach) const;
+    [[nodiscard]] std::vector<PatchKnot> knotsAt(const RunEnd& end, double reach) const;
 
     /// \param reach  along the run, such that the two ends do not overlap
-    void setReach(std::size_t run, std::size_t end, double reach) { runs_[run].ratio.reach[end] = reach; }
+    void setReach(const RunEnd& end, double reach) { runs_[end.run].ratio.reach[end.end] = reach; }
 
     /// Lets the tangent ratio at one end of a run reach no farther. A linear one becomes quadratic, and ends
     /// at half of its run at the latest.
@@ -88,7 +88,7 @@ public:
 
     /// Halves the reach of the tangent ratio at one end of a run.
     /// \return false if it is as short as the shortest interval already
-    bool shorten(std::size_t run, std::size_t end);
+    bool shorten(const RunEnd& end);
 
     /// The shortest interval that a knot may make, in mesh edges.
     [[nodiscard]] double minInterval(std::size_t patch, std::size_t direction) const;
@@ -97,7 +97,7 @@ public:
 
 private:
     [[nodiscard]] KnotLists doubleKnots() const;
-    [[nodiscard]] double firstKnot(const SmoothRun& run, std::size_t end) const;
+    [[nodiscard]] double firstKnot(const RunEnd& end) const;
 
     std::vector<std::array<int, 2>> sizes_;
     const std::vector<Stretch>* stretches_;

@@ -74,14 +74,14 @@ private:
     [[nodiscard]] double reach(const RatioEnd& end) const { return runOf(end).ratio.reach[end.end]; }
 
     void use(const RatioEnd& end, double reach, int count) {
-        for (const auto& [patch, direction, knot] : plan_.knotsAt(runOf(end), end.end, reach))
+        for (const auto& [patch, direction, knot] : plan_.knotsAt(end, reach))
             users_[patch][direction][knot] += count;
     }
 
     /// The control points that a reach takes in addition to what others need.
     [[nodiscard]] std::size_t cost(const RatioEnd& end, double reach) const {
         std::size_t points = 0;
-        for (const auto& [patch, direction, knot] : plan_.knotsAt(runOf(end), end.end, reach)) {
+        for (const auto& [patch, direction, knot] : plan_.knotsAt(end, reach)) {
             const auto& users = users_[patch][direction];
             if (const auto found = users.find(knot); found != users.end() && found->second > 0) continue;
             const std::size_t times =
@@ -137,7 +137,7 @@ private:
             min = points;
         }
         const bool moves = best != reach(end);
-        plan_.setReach(end.run, end.end, best);
+        plan_.setReach(end, best);
         use(end, best, 1);
         return moves;
     }
