@@ -22,8 +22,8 @@ struct VertexRule {
     /// They leave the vertex: of a crease the two that its curve follows, of a dart the one that ends, twice.
     std::array<HalfedgeId, 2> along = {HalfedgeId(), HalfedgeId()};
 
-    /// The way on for a curve of creases that comes along a halfedge which leaves the vertex: that by which
-    /// it leaves on the other side, invalid if none passes along the halfedge.
+    /// Of a curve of creases that passes the vertex along a halfedge which leaves it: the halfedge along
+    /// which it leaves on the other side; invalid if there is no such curve.
     [[nodiscard]] HalfedgeId onward(HalfedgeId leaving) const {
         if (kind != Kind::crease) return HalfedgeId();
         return leaving == along[0] ? along[1] : leaving == along[1] ? along[0] : HalfedgeId();

@@ -17,6 +17,9 @@
 namespace qm {
 namespace {
 
+/// Smooth interior vertices of more edges than this are poles.
+constexpr unsigned maxEdgesOfOrdinary = 7;
+
 /// The least speed along an edge, in terms of its length.
 constexpr double minSpeed = 0.5;
 

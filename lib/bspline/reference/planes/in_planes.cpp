@@ -102,12 +102,9 @@ private:
     /// The derivatives across a side, inwards, of the points along it.
     [[nodiscard]] Row inward(HalfedgeId side) const {
         Row row(last_ + 1);
-        for (std::size_t k = 0; k <= last_; ++k) {
-            Row column(last_ + 1);
-            for (std::size_t depth = 0; depth <= last_; ++depth)
-                column[depth] = before(side, k, depth);
-            row[k] = derivative(column, 0);
-        }
+        for (std::size_t k = 0; k <= last_; ++k)
+            row[k] =
+                derivativeAtEnd(before_.squares(), 0, [&](int depth) { return before(side, k, at(depth)); });
         return row;
     }
 

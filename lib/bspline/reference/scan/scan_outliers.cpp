@@ -23,6 +23,7 @@ template <class ValueAt>
 double medianAround(const ScanTargets& targets, int i, int j, int reach, const ValueAt& valueAt) {
     const int grain = targets.stepsOfGrain();
     std::vector<double> values;
+    values.reserve(at((2 * reach + 1) * (2 * reach + 1)));
     for (int down = -reach; down <= reach; ++down)
         for (int right = -reach; right <= reach; ++right)
             if (const auto value = valueAt(i + grain * right, j + grain * down)) values.push_back(*value);
