@@ -41,32 +41,42 @@ Point meanDirection(const FitLattice& lattice, std::size_t k, const SurfacePoint
     return unit(axis + ((along | axis) < 0 ? -along : along));
 }
 
+/// Either of them, as the point's freedom is; zero at corners.
+Point meanAxis(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
+    switch (lattice.freedom[k]) {
+    case Freedom::surface:
+        return meanNormal(lattice, k, point);
+    case Freedom::crease:
+        return meanDirection(lattice, k, point);
+    default:
+        return {0, 0, 0};
+    }
+}
+
 double signedDistance(const FitLattice& lattice, std::size_t k, const SurfacePoint& point,
                       const Point& offset) {
-    if (lattice.freedom[k] == Freedom::crease) {
-        const Point direction = meanDirection(lattice, k, point);
-        return (offset - direction * (offset | direction)).norm();
-    }
-    const Point mean =
-        lattice.freedom[k] == Freedom::surface ? meanNormal(lattice, k, point) : Point(0, 0, 0);
     // Where the surface turns away from the reference, the offset is only an upper bound of the distance.
     constexpr double turnedAway = 0.87; // cosine of half of 60 degrees
-    if (lattice.freedom[k] == Freedom::surface && (lattice.axes[k] | mean) < turnedAway) return offset.norm();
-    return mean.sqrnorm() > 0 ? (offset | mean) : distance(lattice, k, offset);
+    const Point mean = meanAxis(lattice, k, point);
+    switch (lattice.freedom[k]) {
+    case Freedom::surface:
+        return (lattice.axes[k] | mean) < turnedAway ? offset.norm() : (offset | mean);
+    case Freedom::crease:
+        return (offset - mean * (offset | mean)).norm();
+    default:
+        return offset.norm();
+    }
 }
 
 /// Targets slide only where the normals of surface and reference agree up to this: the cosine of half their
 /// angle.
 constexpr double minCosine = 0.92;
 
-/// By point: the mean normal, or on creases the mean direction; zero where no target slides.
+/// By point: the mean axis, or zero where no target slides.
 std::vector<Point> meanAxes(const FitLattice& lattice, const std::vector<SurfacePoint>& points) {
     std::vector<Point> axes(points.size(), Point(0, 0, 0));
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        if (lattice.isHeld[k] || lattice.freedom[k] == Freedom::corner) continue;
-        axes[k] = lattice.freedom[k] == Freedom::crease ? meanDirection(lattice, k, points[k])
-                                                        : meanNormal(lattice, k, points[k]);
-    }
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (!lattice.isHeld[k]) axes[k] = meanAxis(lattice, k, points[k]);
     return axes;
 }
 

@@ -36,20 +36,17 @@ FreeEquations freeEquations(const std::vector<LinearForm>& equations, const Free
     for (std::size_t patch = 0; patch < spaces.size(); ++patch)
         for (std::size_t k = 0; k < spaces[patch].size(); ++k)
             points.push_back(unknowns.isFree(points.size()) ? nullptr : &patches[patch].controlPoints[k]);
-    FreeEquations result;
-    std::vector<Eigen::RowVector3d> constants;
+    FreeEquations result{{}, Eigen::MatrixX3d::Zero(eigenIndex(equations.size()), 3)};
     for (const LinearForm& equation : equations) {
         LinearForm form = unknowns.among(equation);
         if (form.unknowns.empty()) continue;
-        constants.emplace_back(Eigen::RowVector3d::Zero());
+        auto constants = result.constants.row(eigenIndex(result.forms.size()));
         for (std::size_t k = 0; k < equation.unknowns.size(); ++k)
             if (const Point* fixed = points[equation.unknowns[k]])
-                constants.back() -= equation.weights[k] * vector(*fixed).transpose();
+                constants -= equation.weights[k] * vector(*fixed).transpose();
         result.forms.push_back(std::move(form));
     }
-    result.constants.resize(eigenIndex(constants.size()), 3);
-    for (std::size_t row = 0; row < constants.size(); ++row)
-        result.constants.row(eigenIndex(row)) = constants[row];
+    result.constants.conservativeResize(eigenIndex(result.forms.size()), Eigen::NoChange);
     return result;
 }
 
