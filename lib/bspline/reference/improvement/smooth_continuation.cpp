@@ -60,6 +60,7 @@ std::optional<std::vector<Point>> smoothContinuation(const QuadMesh& mesh, const
 
 std::vector<Point> pointsOf(const QuadMesh& mesh, const std::vector<VertexId>& vertices) {
     std::vector<Point> points;
+    points.reserve(vertices.size());
     for (const VertexId vertex : vertices)
         points.push_back(mesh.point(vertex));
     return points;
