@@ -31,15 +31,34 @@ Point crossProduct(const Triangle& triangle) {
     return scaled(b - a) % scaled(c - a);
 }
 
-/// Below this a corner is folded. Where many edges leave a vertex, the quads around it are narrow, and their
-/// corners are believed down to a quarter of the angle in a regular spread.
-double minSine(const QuadMesh& mesh, FaceId face) {
+/// Of a quad's corner, seen along the normal in its middle.
+struct Angle {
+    double sine = 0;
+    double cosine = 0;
+};
+
+/// In the order of `cornersOf`; those beside an edge without length are 0. None if there is no normal.
+std::optional<std::array<Angle, 4>> cornerAngles(const QuadMesh& mesh, FaceId face) {
+    const std::optional<Point> normal = middleNormal(mesh, face);
+    if (!normal) return std::nullopt;
+    const auto points = cornerPoints(mesh, face);
+    std::array<Angle, 4> angles;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Point onward = scaled(points[(k + 1) % 4] - points[k]);
+        const Point back = scaled(points[(k + 3) % 4] - points[k]);
+        const double lengths = onward.norm() * back.norm();
+        if (lengths > 0) angles[k] = {((onward % back) | *normal) / lengths, (onward | back) / lengths};
+    }
+    return angles;
+}
+
+/// Below this a corner is folded. Where many edges leave a vertex, the angles between them are narrow, and
+/// are believed down to a quarter of what they are in a regular spread.
+double minSine(const QuadMesh& mesh, VertexId corner, const Angle& angle) {
     constexpr double ofAll = 0.1;
     constexpr double share = 0.25;
-    std::size_t valence = 0;
-    for (const VertexId corner : mesh.fv_range(face))
-        valence = std::max<std::size_t>(valence, mesh.valence(corner));
-    return std::min(ofAll, share * 2 * std::numbers::pi / static_cast<double>(valence));
+    if (angle.cosine < 0) return ofAll;
+    return std::min(ofAll, share * 2 * std::numbers::pi / mesh.valence(corner));
 }
 
 } // namespace
@@ -89,22 +108,18 @@ std::optional<Point> middleNormal(const QuadMesh& mesh, FaceId face) {
 }
 
 std::optional<double> minCornerSine(const QuadMesh& mesh, FaceId face) {
-    const std::optional<Point> normal = middleNormal(mesh, face);
-    if (!normal) return std::nullopt;
-    const auto points = cornerPoints(mesh, face);
-    double result = 1;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const Point onward = scaled(points[(k + 1) % 4] - points[k]);
-        const Point back = scaled(points[(k + 3) % 4] - points[k]);
-        const double lengths = onward.norm() * back.norm();
-        result = std::min(result, lengths > 0 ? ((onward % back) | *normal) / lengths : 0);
-    }
-    return result;
+    const auto corners = cornerAngles(mesh, face);
+    if (!corners) return std::nullopt;
+    return std::ranges::min(*corners, {}, &Angle::sine).sine;
 }
 
 bool isFolded(const QuadMesh& mesh, FaceId face) {
-    const std::optional<double> sine = minCornerSine(mesh, face);
-    return !sine || !(*sine > minSine(mesh, face));
+    const auto angles = cornerAngles(mesh, face);
+    if (!angles) return true;
+    const auto corners = cornersOf(mesh, face);
+    for (std::size_t k = 0; k < 4; ++k)
+        if (!((*angles)[k].sine > minSine(mesh, corners[k], (*angles)[k]))) return true;
+    return false;
 }
 
 double meanEdgeLength(const QuadMesh& mesh) {

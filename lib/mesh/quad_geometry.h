@@ -40,8 +40,8 @@ using Triangle = std::array<Point, 3>;
 
 /// Whether some corner is within 6 degrees of flat or of nothing, is turned over against the quad's middle,
 /// or has no area. The dihedral angles of such a quad are unreliable: remeshers divide triangles into quads
-/// with three corners in a line, where rounding determines the normal. In quads at a vertex of many edges
-/// corners may be narrower.
+/// with three corners in a line, where rounding determines the normal. At a vertex of many edges corners may
+/// be narrower.
 [[nodiscard]] bool isFolded(const QuadMesh& mesh, FaceId face);
 
 /// The mean length of all edges; 0 if there are none.

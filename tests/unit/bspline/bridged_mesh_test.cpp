@@ -88,7 +88,6 @@ TEST(IsFolded, NotWhereManyEdgesLeaveNarrowAngles) {
     EXPECT_EQ(count(1000, 0), 0U);
     EXPECT_EQ(count(100, 0.3), 0U);
     EXPECT_EQ(count(100, 0.9), 50U) << "far narrower than a regular spread has them";
-    EXPECT_EQ(foldedQuads(drum(300)), 0U) << "nearly flat where triangles around a vertex were divided";
 }
 
 TEST(BridgedMesh, MovesNothingWhereNothingIsFolded) {
