@@ -1,11 +1,9 @@
 #include "bspline/network/border_strip.h"
 
-#include "base/positions.h"
 #include "bspline/splines/blossom.h"
 #include "layout/sides.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace qm {
 namespace {
@@ -13,17 +11,6 @@ namespace {
 constexpr int degree = 3;
 
 } // namespace
-
-void LinearForm::add(std::size_t unknown, double weight) {
-    if (std::abs(weight) < 1e-14) return;
-    const auto found = std::ranges::find(unknowns, unknown);
-    if (found != unknowns.end()) {
-        weights[positionIn(unknowns, found)] += weight;
-        return;
-    }
-    unknowns.push_back(unknown);
-    weights.push_back(weight);
-}
 
 BorderStrip::BorderStrip(const PatchSpace& space, const std::array<int, 2>& size, const StretchSide& place)
     : space_(space), side_(place.side) {

@@ -3,30 +3,14 @@
 #pragma once
 
 #include "bspline/network/stretches.h"
+#include "bspline/solver/linear_form.h"
+#include "bspline/splines/patch_space.h"
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
 namespace qm {
-
-/// The bicubic spline space of a patch: clamped knots in full, along u and along v.
-struct PatchSpace {
-    std::array<std::vector<double>, 2> knots;
-    std::size_t firstUnknown = 0; ///< control point (i, j) is unknown firstUnknown + j * count(0) + i
-
-    [[nodiscard]] std::size_t count(std::size_t direction) const { return knots[direction].size() - 4; }
-    [[nodiscard]] std::size_t size() const { return count(0) * count(1); }
-};
-
-/// A linear function of all patches' control points, the same for x, y and z.
-struct LinearForm {
-    std::vector<std::size_t> unknowns;
-    std::vector<double> weights;
-
-    /// Adds to the weight of an unknown; weights that are nothing but rounding are left out.
-    void add(std::size_t unknown, double weight);
-};
 
 /// What a strip is asked for at a place.
 enum class Across {

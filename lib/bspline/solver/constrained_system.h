@@ -3,7 +3,7 @@
 /// (docs/METHOD.md#amestoy-2004).
 #pragma once
 
-#include "bspline/network/border_strip.h"
+#include "bspline/solver/linear_form.h"
 #include "bspline/solver/sparse_factors.h"
 
 #include <Eigen/Core>

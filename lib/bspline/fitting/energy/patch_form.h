@@ -3,8 +3,8 @@
 #pragma once
 
 #include "bspline/fitting/energy/thin_plate.h"
-#include "bspline/network/border_strip.h"
 #include "bspline/splines/basis.h"
+#include "bspline/splines/patch_space.h"
 #include "mesh/quad_mesh.h"
 
 #include <Eigen/Core>

@@ -1,9 +1,9 @@
 /// \file The knots of all patches and the reach of the tangent ratios: what refinement changes.
 #pragma once
 
-#include "bspline/network/border_strip.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/reference/lattice/reference_grid.h"
+#include "bspline/splines/patch_space.h"
 #include "layout/layout.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "bspline/fitting/lattice/fit_lattice.h"
 #include "bspline/fitting/lattice/lattice_errors.h"
-#include "bspline/network/border_strip.h"
+#include "bspline/splines/patch_space.h"
 
 #include <array>
 #include <cstddef>

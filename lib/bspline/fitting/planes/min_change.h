@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bspline/fitting/planes/plane_demands.h"
-#include "bspline/network/border_strip.h"
 #include "bspline/solver/constrained_system.h"
+#include "bspline/solver/linear_form.h"
 
 #include <Eigen/Core>
 

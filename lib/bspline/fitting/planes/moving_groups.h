@@ -3,7 +3,7 @@
 
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/planes/flat_patches.h"
-#include "bspline/network/border_strip.h"
+#include "bspline/solver/linear_form.h"
 #include "bspline/splines/surfaces.h"
 
 #include <array>

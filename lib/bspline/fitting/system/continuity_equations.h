@@ -3,7 +3,8 @@
 #pragma once
 
 #include "bspline/fitting/knots/knot_plan.h"
-#include "bspline/network/border_strip.h"
+#include "bspline/solver/linear_form.h"
+#include "bspline/splines/patch_space.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
 /// \file Which patches are solved for, while all others stay as they are.
 #pragma once
 
-#include "bspline/network/border_strip.h"
 #include "bspline/network/stretches.h"
+#include "bspline/splines/patch_space.h"
 
 #include <vector>
 
