@@ -1,7 +1,7 @@
 #include "bspline/fitting/smooth_fit.h"
 
 #include "bspline/fitting/fit_attempt.h"
-#include "bspline/fitting/system/free_patches.h"
+#include "bspline/network/stretches.h"
 #include "mesh/bounding_box.h"
 
 #include <utility>

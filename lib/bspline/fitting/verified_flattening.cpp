@@ -1,7 +1,6 @@
 #include "bspline/fitting/verified_flattening.h"
 
 #include "bspline/fitting/planes/moving_groups.h"
-#include "bspline/fitting/system/free_patches.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -5,6 +5,7 @@
 #include "bspline/measure/paired_surfaces.h"
 
 #include <cstddef>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -21,10 +22,10 @@ bool isSame(const Patch& one, const Patch& other) {
 MaxDeviations::MaxDeviations(const QuadMesh& mesh, const Layout& layout,
                              const std::vector<ReferenceGrid>& references, double limit, unsigned jobs)
     : layout_(layout), references_(references), limit_(limit), jobs_(jobs),
-      borders_(borderEdges(mesh, layout)) {}
+      borders_(borderEdges(mesh, layout)), stretches_(findStretches(borders_)) {}
 
 std::vector<double> MaxDeviations::operator()(const std::vector<Patch>& patches) {
-    const std::vector<bool> isNew = changedAround(patches);
+    const std::vector<bool> isNew = changed(patches);
     const PairedSurfaces pairs(layout_, patches, references_, borders_, jobs_);
     constexpr double closing = 0.05; // a rough bound will do above the limit
     distances_.resize(patches.size());
@@ -36,20 +37,12 @@ std::vector<double> MaxDeviations::operator()(const std::vector<Patch>& patches)
     return distances_;
 }
 
-/// Marks the patches that are not as they were measured, and those around them.
-std::vector<bool> MaxDeviations::changedAround(const std::vector<Patch>& patches) const {
+std::vector<bool> MaxDeviations::changed(const std::vector<Patch>& patches) const {
     std::vector<bool> isChanged(patches.size(), true);
     if (measured_.empty()) return isChanged;
     for (std::size_t k = 0; k < patches.size(); ++k)
         isChanged[k] = !isSame(patches[k], measured_[k]);
-    for (int ring = 0; ring < rings; ++ring) {
-        const std::vector<bool> before = isChanged;
-        for (const BorderEdge& border : borders_)
-            for (const BorderPlace& one : border.places)
-                for (const BorderPlace& other : border.places)
-                    if (before[one.patch]) isChanged[other.patch] = true;
-    }
-    return isChanged;
+    return withNeighbours(stretches_, std::move(isChanged), rings);
 }
 
 } // namespace qm

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bspline/network/borders.h"
+#include "bspline/network/stretches.h"
 #include "bspline/reference/lattice/reference_grid.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
@@ -23,13 +24,15 @@ public:
     [[nodiscard]] std::vector<double> operator()(const std::vector<Patch>& patches);
 
 private:
-    [[nodiscard]] std::vector<bool> changedAround(const std::vector<Patch>& patches) const;
+    /// The patches whose distances may not be what they were.
+    [[nodiscard]] std::vector<bool> changed(const std::vector<Patch>& patches) const;
 
     const Layout& layout_;
     const std::vector<ReferenceGrid>& references_;
     double limit_;
     unsigned jobs_;
     std::vector<BorderEdge> borders_;
+    std::vector<Stretch> stretches_;
     std::vector<Patch> measured_;   ///< the last time
     std::vector<double> distances_; ///< found then
 };

@@ -59,4 +59,15 @@ std::vector<Stretch> findStretches(const std::vector<BorderEdge>& borders) {
     return stretches;
 }
 
+std::vector<bool> withNeighbours(const std::vector<Stretch>& stretches, std::vector<bool> patches,
+                                 int rings) {
+    for (int ring = 0; ring < rings; ++ring) {
+        const std::vector<bool> before = patches;
+        for (const Stretch& stretch : stretches)
+            for (const std::size_t side : {0U, 1U})
+                if (before[stretch.sides[side].patch]) patches[stretch.sides[1 - side].patch] = true;
+    }
+    return patches;
+}
+
 } // namespace qm

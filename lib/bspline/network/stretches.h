@@ -43,4 +43,8 @@ struct Stretch {
 /// All stretches, in the order of the first patch, side and position that has them.
 [[nodiscard]] std::vector<Stretch> findStretches(const std::vector<BorderEdge>& borders);
 
+/// Adds to a set of patches those that share a border with one of them, `rings` times.
+[[nodiscard]] std::vector<bool> withNeighbours(const std::vector<Stretch>& stretches,
+                                               std::vector<bool> patches, int rings);
+
 } // namespace qm

@@ -3,7 +3,7 @@
 #include "base/disjoint_sets.h"
 #include "bspline/fitting/planes/plane_demands.h"
 #include "bspline/fitting/system/continuity_equations.h"
-#include "bspline/fitting/system/free_patches.h"
+#include "bspline/network/stretches.h"
 
 #include <algorithm>
 #include <utility>

@@ -8,17 +8,6 @@
 
 namespace qm {
 
-std::vector<bool> withNeighbours(const std::vector<Stretch>& stretches, std::vector<bool> patches,
-                                 int rings) {
-    for (int ring = 0; ring < rings; ++ring) {
-        const std::vector<bool> before = patches;
-        for (const Stretch& stretch : stretches)
-            for (const std::size_t side : {0U, 1U})
-                if (before[stretch.sides[side].patch]) patches[stretch.sides[1 - side].patch] = true;
-    }
-    return patches;
-}
-
 std::vector<bool> freePatches(const std::vector<Stretch>& stretches, const std::vector<PatchSpace>& spaces,
                               const std::vector<bool>& changed, int rings, double worthAll) {
     // If few patches have changed, more of those around are solved for, up to this many control points.

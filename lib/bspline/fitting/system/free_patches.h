@@ -8,10 +8,6 @@
 
 namespace qm {
 
-/// Adds to a set of patches those that share a border with one of them, `rings` times.
-[[nodiscard]] std::vector<bool> withNeighbours(const std::vector<Stretch>& stretches,
-                                               std::vector<bool> patches, int rings);
-
 /// The patches that have changed and `rings` rings of those around them; all if these have more than a share
 /// of the control points.
 /// \param changed   by patch
