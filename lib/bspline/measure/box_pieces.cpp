@@ -10,8 +10,6 @@
 namespace qm {
 namespace {
 
-using Parameters = std::array<double, 2>;
-
 /// How parameters continue in the patch beyond a side.
 struct Continuation {
     Parameters from; ///< a place of the old patch
@@ -102,8 +100,9 @@ BoxPiece BoxPieces::take(std::size_t surface, const BoxPart& part, const Cells& 
     Parameters end{};
     Parameters width{};
     std::array<std::array<bool, 2>, 2> isOuter{};
+    const ParameterBox box = surfaces_.box(cell);
     for (std::size_t k = 0; k < 2; ++k) {
-        const auto [from, to] = surfaces_.range(cell, k);
+        const auto [from, to] = box[k];
         begin[k] = std::clamp((part.box[k][0] - from) / (to - from), 0.0, 1.0);
         end[k] = std::clamp((part.box[k][1] - from) / (to - from), 0.0, 1.0);
         width[k] = (to - from) * std::max(end[k] - begin[k], minWidth);

@@ -10,9 +10,6 @@
 
 namespace qm {
 
-/// The ends along u and along v.
-using ParameterBox = std::array<std::array<double, 2>, 2>;
-
 /// A part of a box over which the surface is one polynomial. Directions are those of the box's patch.
 struct BoxPiece {
     const BezierPiece& piece;    ///< over this part alone

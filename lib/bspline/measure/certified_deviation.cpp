@@ -18,12 +18,11 @@ public:
         : surfaces_(surfaces), patch_(patch), options_(options), bound_(surfaces) {}
 
     CertifiedDeviation run() {
-        const auto cells = surfaces_.cells(patch_);
-        parts_.reserve(cells[0] * cells[1]);
-        result_.samples.reserve(4 * cells[0] * cells[1]);
-        for (std::size_t j = 0; j < cells[1]; ++j)
-            for (std::size_t i = 0; i < cells[0]; ++i)
-                addCell({patch_, {i, j}});
+        const std::vector<Cell> cells = surfaces_.cells(patch_);
+        parts_.reserve(cells.size());
+        result_.samples.reserve(4 * cells.size());
+        for (const Cell& cell : cells)
+            addCell(cell);
         if (farthest_ > 0) seed();
         const std::size_t effort = options_.stepsFor(parts_.size());
         result_.upper = boundLargestFirst(
@@ -39,21 +38,16 @@ public:
 private:
     /// The box between a cell's boundaries on both surfaces, and samples.
     void addCell(const Cell& cell) {
-        surfaces_.get(0, cell, piece_);
+        surfaces_.get(0, cell, difference_);
         surfaces_.get(1, cell, reference_);
-        difference_.degree = piece_.degree;
-        difference_.points.resize(piece_.points.size());
-        double square = 0;
-        for (std::size_t k = 0; k < piece_.points.size(); ++k) {
-            difference_.points[k] = piece_.points[k] - reference_.points[k];
-            square = std::max(square, difference_.points[k].squaredNorm());
-        }
+        for (std::size_t k = 0; k < difference_.points.size(); ++k)
+            difference_.points[k] -= reference_.points[k];
         SurfacePart part;
         part.cell = cell;
-        part.upper = std::sqrt(square);
+        part.upper = farthestFrom(Eigen::Vector3d::Zero(), difference_);
         parts_.push_back(part);
 
-        for (const GaussPoint& point : gaussPoints({surfaces_.range(cell, 0), surfaces_.range(cell, 1)})) {
+        for (const GaussPoint& point : gaussPoints(surfaces_.box(cell))) {
             const LayoutPlace place{patch_, point.at};
             const double distance = distanceAt(place, point.u, point.v);
             result_.samples.push_back({distance, point.area});
@@ -125,7 +119,6 @@ private:
     std::size_t patch_;
     CertificationOptions options_;
     DistanceBound bound_;
-    BezierPiece piece_;
     BezierPiece reference_;
     BezierPiece difference_;
     std::vector<SurfacePart> parts_;

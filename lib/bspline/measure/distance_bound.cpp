@@ -10,8 +10,6 @@
 namespace qm {
 namespace {
 
-using Parameters = std::array<double, 2>;
-
 /// How much faster the own surface runs than the other along its direction.
 double speedRatio(const Eigen::Vector3d& own, const Eigen::Vector3d& other) {
     const double square = other.squaredNorm();
@@ -41,10 +39,9 @@ void subtractFrom(const BezierPiece& own, int turns, BezierPiece& difference) {
 
 LayoutPlace DistanceBound::middle(const SurfacePart& part) const {
     LayoutPlace place{part.cell.patch, {}};
-    for (std::size_t k = 0; k < 2; ++k) {
-        const auto [from, to] = surfaces_.range(part.cell, k);
-        place.at[k] = std::lerp(from, to, 0.5 * (part.from[k] + part.to[k]));
-    }
+    const ParameterBox cell = surfaces_.box(part.cell);
+    for (std::size_t k = 0; k < 2; ++k)
+        place.at[k] = std::lerp(cell[k][0], cell[k][1], 0.5 * (part.from[k] + part.to[k]));
     return place;
 }
 
@@ -99,10 +96,9 @@ double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const 
 DistanceBound::BoxMiddle DistanceBound::takeOwn(const SurfacePart& part) {
     restrict(ownCell_(part.surface, part.cell), part.from, part.to, own_);
     BoxMiddle result{evaluate(own_, 0.5, 0.5), {}};
-    for (std::size_t k = 0; k < 2; ++k) {
-        const auto [from, to] = surfaces_.range(part.cell, k);
-        result.half[k] = 0.5 * (to - from) * (part.to[k] - part.from[k]);
-    }
+    const ParameterBox cell = surfaces_.box(part.cell);
+    for (std::size_t k = 0; k < 2; ++k)
+        result.half[k] = 0.5 * (cell[k][1] - cell[k][0]) * (part.to[k] - part.from[k]);
     result.here.du /= 2 * result.half[0];
     result.here.dv /= 2 * result.half[1];
     return result;
@@ -120,6 +116,7 @@ void DistanceBound::findFoot(const Eigen::Vector3d& ofMiddle, double surprising,
 ParameterBox DistanceBound::pairWithOther(const BoxMiddle& own, SurfacePart& part) {
     const Foot& foot = part.foot;
     const Cell target = surfaces_.cellAt(foot.place);
+    const ParameterBox cell = surfaces_.box(target);
     ParameterBox box{};
     Parameters begin{};
     Parameters end{};
@@ -130,7 +127,7 @@ ParameterBox DistanceBound::pairWithOther(const BoxMiddle& own, SurfacePart& par
         const std::size_t ownAxis = way[0] != 0 ? 0 : 1;
         const double reach = own.half[ownAxis] * speedRatio(way[0] * own.here.du + way[1] * own.here.dv,
                                                             k == 0 ? foot.du : foot.dv);
-        const auto [from, to] = surfaces_.range(target, k);
+        const auto [from, to] = cell[k];
         const double at = foot.place.at[k];
         // What reaches beyond the other's cell is squeezed into it.
         begin[k] = std::clamp((at - reach - from) / (to - from), 0.0, 1.0);
@@ -149,10 +146,7 @@ void DistanceBound::tighten(SurfacePart& part, double surprising, double enough)
     const BoxMiddle own = takeOwn(part);
     findFoot(own.here.position, surprising, part);
     const ParameterBox box = pairWithOther(own, part);
-    double square = 0;
-    for (const Eigen::Vector3d& point : difference_.points)
-        square = std::max(square, point.squaredNorm());
-    part.upper = std::min(part.upper, std::sqrt(square));
+    part.upper = std::min(part.upper, farthestFrom(Eigen::Vector3d::Zero(), difference_));
     if (part.upper <= enough) return;
     part.upper = std::min(part.upper, slidingBound(1 - part.surface, part.foot, box, part.upper));
     if (part.upper <= enough) return;

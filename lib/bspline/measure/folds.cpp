@@ -14,8 +14,6 @@
 namespace qm {
 namespace {
 
-using Parameters = std::array<double, 2>;
-
 constexpr int maxHalvings = 5; ///< to 1/32 of a piece
 
 /// The mesh's quad around a place.
@@ -47,38 +45,23 @@ bool isTowards(const ReferenceGrid& reference, const BezierPiece& normal, const 
     return lowest > rounding * highest;
 }
 
-/// A place of a box that is not certain to be free of folds.
-/// \param piece  over the box
-std::optional<Parameters> fold(const ReferenceGrid& reference, const BezierPiece& piece,
-                               const Parameters& from, const Parameters& to, int halvings = 0) {
-    const Parameters middle{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
-    if (isTowards(reference, normalPiece(piece), middle)) return std::nullopt;
+/// A place of a piece that is not certain to be free of folds.
+std::optional<Parameters> fold(const ReferenceGrid& reference, const PatchPiece& part, int halvings = 0) {
+    const Parameters middle = middleOf(part.box);
+    if (isTowards(reference, normalPiece(part.piece), middle)) return std::nullopt;
     if (halvings == maxHalvings) return middle;
-    BezierPiece quarter;
-    for (const double u : {0.0, 0.5})
-        for (const double v : {0.0, 0.5}) {
-            restrict(piece, {u, v}, {u + 0.5, v + 0.5}, quarter);
-            const Parameters begin{u > 0 ? middle[0] : from[0], v > 0 ? middle[1] : from[1]};
-            const Parameters end{u > 0 ? to[0] : middle[0], v > 0 ? to[1] : middle[1]};
-            if (const auto place = fold(reference, quarter, begin, end, halvings + 1)) return place;
-        }
+    for (const PatchPiece& quarter : quarters(part))
+        if (const auto place = fold(reference, quarter, halvings + 1)) return place;
     return std::nullopt;
 }
 
 } // namespace
 
-std::vector<std::array<double, 2>> findFolds(const Patch& patch, const ReferenceGrid& reference) {
-    const BezierPieces pieces = bezierPieces(patch);
-    std::vector<std::array<double, 2>> places;
-    BezierPiece piece;
-    for (std::size_t j = 0; j < pieces.along[1].intervals(); ++j)
-        for (std::size_t i = 0; i < pieces.along[0].intervals(); ++i) {
-            pieces.get(i, j, piece);
-            const std::vector<double>& us = pieces.along[0].breaks;
-            const std::vector<double>& vs = pieces.along[1].breaks;
-            const auto place = fold(reference, piece, {us[i], vs[j]}, {us[i + 1], vs[j + 1]});
-            if (place) places.push_back(*place);
-        }
+std::vector<Parameters> findFolds(const Patch& patch, const ReferenceGrid& reference) {
+    std::vector<Parameters> places;
+    forEachPiece(bezierPieces(patch), [&](const PatchPiece& part) {
+        if (const auto place = fold(reference, part)) places.push_back(*place);
+    });
     return places;
 }
 

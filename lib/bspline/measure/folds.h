@@ -4,7 +4,6 @@
 #include "bspline/reference/lattice/reference_grid.h"
 #include "bspline/splines/surfaces.h"
 
-#include <array>
 #include <vector>
 
 namespace qm {
@@ -14,7 +13,6 @@ namespace qm {
 /// may be folded. A piece is certain not to be if the Bezier points of du x dv, of degrees 2p - 1 and 2q - 1,
 /// all point to the side of that normal at its middle. Otherwise it is divided into quarters, down to 1/32 of
 /// its sides. No fold is missed; a false one may be reported where the normals are nearly at right angles.
-[[nodiscard]] std::vector<std::array<double, 2>> findFolds(const Patch& patch,
-                                                           const ReferenceGrid& reference);
+[[nodiscard]] std::vector<Parameters> findFolds(const Patch& patch, const ReferenceGrid& reference);
 
 } // namespace qm

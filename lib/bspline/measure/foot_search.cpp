@@ -17,8 +17,6 @@ constexpr int maxCrossings = 6;  ///< enough to go around a vertex, and an end t
 constexpr double maxStep = 1;    // quads
 constexpr double minStep = 1e-6; ///< of a quad; distances then differ by its square
 
-using Parameters = std::array<double, 2>;
-
 /// Where a step towards a point leads.
 struct Step {
     Parameters to{};
@@ -134,8 +132,9 @@ PiecePoint FootSearch::evaluateAt(std::size_t surface, const LayoutPlace& place)
     const Cell cell = surfaces_.cellAt(place);
     Parameters local{};
     Parameters width{};
+    const ParameterBox box = surfaces_.box(cell);
     for (std::size_t k = 0; k < 2; ++k) {
-        const auto [from, to] = surfaces_.range(cell, k);
+        const auto [from, to] = box[k];
         width[k] = to - from;
         local[k] = (place.at[k] - from) / width[k];
     }

@@ -1,6 +1,8 @@
 /// \file Gauss's rule with two points in each direction, exact for bicubics.
 #pragma once
 
+#include "bspline/splines/surfaces.h"
+
 #include <array>
 #include <cmath>
 
@@ -9,12 +11,11 @@ namespace qm {
 struct GaussPoint {
     double u = 0; ///< within the box, from 0 to 1
     double v = 0;
-    std::array<double, 2> at{}; ///< its parameters
-    double area = 0;            ///< that it stands for: a quarter of the box
+    Parameters at{}; ///< its parameters
+    double area = 0; ///< that it stands for: a quarter of the box
 };
 
-/// \param box  the ends along u and along v
-[[nodiscard]] inline std::array<GaussPoint, 4> gaussPoints(const std::array<std::array<double, 2>, 2>& box) {
+[[nodiscard]] inline std::array<GaussPoint, 4> gaussPoints(const ParameterBox& box) {
     constexpr std::array<double, 2> nodes = {0.21132486540518712, 0.78867513459481288};
     const auto& [us, vs] = box;
     const double area = (us[1] - us[0]) * (vs[1] - vs[0]) / 4;

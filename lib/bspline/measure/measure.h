@@ -6,7 +6,6 @@
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
-#include <array>
 #include <vector>
 
 namespace qm {
@@ -25,10 +24,10 @@ struct MeasuredSurfaces {
 };
 
 struct PatchMeasurement {
-    Deviation deviation;   ///< borders count for both neighbours
-    double lowerBound = 0; ///< the largest distance from the reference that was found at a point
-    LayoutPlace farthest;  ///< where it was found
-    std::vector<std::array<double, 2>> folds; ///< a place (u, v) in every piece that may be folded
+    Deviation deviation;           ///< borders count for both neighbours
+    double lowerBound = 0;         ///< the largest distance from the reference that was found at a point
+    LayoutPlace farthest;          ///< where it was found
+    std::vector<Parameters> folds; ///< a place in every piece that may be folded
 };
 
 struct Measurement {

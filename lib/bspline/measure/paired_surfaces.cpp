@@ -45,13 +45,10 @@ PairedSurfaces::PairedSurfaces(const Layout& layout, const std::vector<Patch>& p
     pieces_.fill(std::vector<BezierPieces>(patches.size()));
     parallelFor(patches.size(), jobs, [&](std::size_t p) {
         const ReferenceGrid& reference = references[p];
-        std::array<std::vector<double>, 2> breaks;
+        const auto breaks = knotsAndGridLines(patches[p]);
         BezierPieces& ofReference = pieces_[1][p];
-        for (std::size_t k = 0; k < 2; ++k) {
-            breaks[k] = mergedBreaks(differentKnots(patches[p].knots[k], patches[p].degree[k]),
-                                     gridLines(reference.size[k]));
+        for (std::size_t k = 0; k < 2; ++k)
             ofReference.along[k] = latticeExtraction(reference.steps, breaks[k], degree);
-        }
         ofReference.controls = reference.points;
         ofReference.width = reference.columns();
         pieces_[0][p] = bezierPieces(patches[p], breaks, degree);
@@ -71,19 +68,24 @@ PairedSurfaces::PairedSurfaces(const Layout& layout, const std::vector<Patch>& p
     });
 }
 
-std::array<double, 2> PairedSurfaces::extent(std::size_t patch) const {
+Parameters PairedSurfaces::extent(std::size_t patch) const {
     const auto& size = layout_.segments[patch].size;
     return {static_cast<double>(size[0]), static_cast<double>(size[1])};
 }
 
-std::array<std::size_t, 2> PairedSurfaces::cells(std::size_t patch) const {
-    const auto& along = pieces_[0][patch].along;
-    return {along[0].intervals(), along[1].intervals()};
+std::vector<Cell> PairedSurfaces::cells(std::size_t patch) const {
+    const auto& [u, v] = pieces_[0][patch].along;
+    std::vector<Cell> result;
+    result.reserve(u.intervals() * v.intervals());
+    for (std::size_t j = 0; j < v.intervals(); ++j)
+        for (std::size_t i = 0; i < u.intervals(); ++i)
+            result.push_back({patch, {i, j}});
+    return result;
 }
 
-std::array<double, 2> PairedSurfaces::range(const Cell& cell, std::size_t direction) const {
-    const auto& breaks = pieces_[0][cell.patch].along[direction].breaks;
-    return {breaks[cell.interval[direction]], breaks[cell.interval[direction] + 1]};
+ParameterBox PairedSurfaces::box(const Cell& cell) const {
+    const auto& [u, v] = pieces_[0][cell.patch].along;
+    return {u.range(cell.interval[0]), v.range(cell.interval[1])};
 }
 
 Cell PairedSurfaces::cellAt(const LayoutPlace& place) const {

@@ -34,11 +34,10 @@ public:
 
     [[nodiscard]] std::size_t patches() const { return pieces_[0].size(); }
     /// The largest u and v of a patch; the smallest are 0.
-    [[nodiscard]] std::array<double, 2> extent(std::size_t patch) const;
-    /// The numbers of cells of a patch along u and v.
-    [[nodiscard]] std::array<std::size_t, 2> cells(std::size_t patch) const;
-    /// The smallest and the largest parameter of a cell in a direction.
-    [[nodiscard]] std::array<double, 2> range(const Cell& cell, std::size_t direction) const;
+    [[nodiscard]] Parameters extent(std::size_t patch) const;
+    /// All cells of a patch, row by row.
+    [[nodiscard]] std::vector<Cell> cells(std::size_t patch) const;
+    [[nodiscard]] ParameterBox box(const Cell& cell) const;
     [[nodiscard]] Cell cellAt(const LayoutPlace& place) const;
 
     /// The polynomial over a cell; all have the same degree in both directions.

@@ -8,7 +8,6 @@
 #include "bspline/splines/patch_bezier.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,19 +15,9 @@
 namespace qm {
 namespace {
 
-/// A box of the patch, and its polynomial.
-struct Box {
-    BezierPiece piece;
-    std::array<std::array<double, 2>, 2> range{}; ///< along u and along v
-    double upper = 0;                             ///< 0 where the scan tells nothing
+struct BoundedPiece : PatchPiece {
+    double upper = 0; ///< 0 where the scan tells nothing
 };
-
-double farthestFrom(const Eigen::Vector3d& place, const BezierPiece& piece) {
-    double square = 0;
-    for (const Eigen::Vector3d& corner : piece.points)
-        square = std::max(square, (corner - place).squaredNorm());
-    return std::sqrt(square);
-}
 
 class ScanSearch {
 public:
@@ -37,28 +26,16 @@ public:
         : patch_(patch), number_(number), scan_(scan), cutOff_(cutOff), options_(options) {}
 
     CertifiedDeviation run() {
-        std::array<std::vector<double>, 2> breaks;
-        for (std::size_t k = 0; k < 2; ++k) {
-            const std::vector<double> knots = differentKnots(patch_.knots[k], patch_.degree[k]);
-            breaks[k] = mergedBreaks(knots, gridLines(static_cast<int>(std::lround(knots.back()))));
-        }
-        const BezierPieces pieces =
-            bezierPieces(patch_, breaks, std::max(patch_.degree[0], patch_.degree[1]));
-        for (std::size_t j = 0; j + 1 < breaks[1].size(); ++j)
-            for (std::size_t i = 0; i + 1 < breaks[0].size(); ++i) {
-                Box box;
-                pieces.get(i, j, box.piece);
-                box.range = {{{breaks[0][i], breaks[0][i + 1]}, {breaks[1][j], breaks[1][j + 1]}}};
-                addCell(std::move(box));
-            }
-        const std::size_t effort = options_.stepsFor(boxes_.size());
+        const int degree = std::max(patch_.degree[0], patch_.degree[1]);
+        forEachPiece(bezierPieces(patch_, knotsAndGridLines(patch_), degree),
+                     [&](PatchPiece part) { add(std::move(part)); });
+        const std::size_t effort = options_.stepsFor(pieces_.size());
         result_.upper = boundLargestFirst(
-            std::move(boxes_), effort,
+            std::move(pieces_), effort,
             [&](double upper) { return upper <= options_.enoughFor(result_.lower); },
-            [&](const Box& box, const auto& add) {
-                for (const double u : {0.0, 0.5})
-                    for (const double v : {0.0, 0.5})
-                        add(quarter(box, u, v));
+            [&](const BoundedPiece& whole, const auto& addPart) {
+                for (PatchPiece& quarter : quarters(whole))
+                    addPart(bounded(std::move(quarter), whole.upper));
             });
         return std::move(result_);
     }
@@ -71,37 +48,30 @@ private:
         return foot;
     }
 
-    void addCell(Box box) {
-        box.upper = infinity;
+    void add(PatchPiece part) {
+        BoundedPiece result{std::move(part), infinity};
         bool isCovered = false;
-        for (const GaussPoint& at : gaussPoints(box.range)) {
-            const Eigen::Vector3d place = evaluate(box.piece, at.u, at.v).position;
+        for (const GaussPoint& at : gaussPoints(result.box)) {
+            const Eigen::Vector3d place = evaluate(result.piece, at.u, at.v).position;
             const auto foot = witness(place);
             if (!foot) continue;
             isCovered = true;
             result_.samples.push_back({foot->distance, at.area});
-            box.upper = std::min(box.upper, foot->distance + farthestFrom(place, box.piece));
+            result.upper = std::min(result.upper, foot->distance + farthestFrom(place, result.piece));
             result_.raise(foot->distance, {number_, at.at});
         }
-        if (isCovered) boxes_.push_back(std::move(box));
+        if (isCovered) pieces_.push_back(std::move(result));
     }
 
-    [[nodiscard]] Box quarter(const Box& box, double u, double v) {
-        Box result;
-        restrict(box.piece, {u, v}, {u + 0.5, v + 0.5}, result.piece);
-        const std::array<double, 2> begin{u, v};
-        std::array<double, 2> middle{};
-        for (std::size_t k = 0; k < 2; ++k) {
-            const auto& [from, to] = box.range[k];
-            result.range[k] = {std::lerp(from, to, begin[k]), std::lerp(from, to, begin[k] + 0.5)};
-            middle[k] = 0.5 * (result.range[k][0] + result.range[k][1]);
-        }
+    /// \param upper  bound of a piece that this one is part of
+    [[nodiscard]] BoundedPiece bounded(PatchPiece part, double upper) {
+        BoundedPiece result{std::move(part)};
         const auto foot = witness(evaluate(result.piece, 0.5, 0.5).position);
         if (!foot) return result;
-        result_.raise(foot->distance, {number_, middle});
+        result_.raise(foot->distance, {number_, middleOf(result.box)});
         for (const Eigen::Vector3d& corner : result.piece.points)
             result.upper = std::max(result.upper, scan_.distance(foot->face, point(corner)));
-        result.upper = std::min(box.upper, result.upper);
+        result.upper = std::min(upper, result.upper);
         return result;
     }
 
@@ -110,7 +80,7 @@ private:
     const TriangleSurface& scan_;
     double cutOff_;
     CertificationOptions options_;
-    std::vector<Box> boxes_;
+    std::vector<BoundedPiece> pieces_;
     CertifiedDeviation result_; ///< whose upper bound holds only where the scan tells something
 };
 

@@ -70,28 +70,25 @@ double ShapeMeasures::bendingRatio() const {
 
 ShapeMeasures measureShape(const PairedSurfaces& surfaces, std::size_t patch) {
     ShapeMeasures measures;
-    const auto cells = surfaces.cells(patch);
     BezierPiece piece;
-    for (std::size_t j = 0; j < cells[1]; ++j)
-        for (std::size_t i = 0; i < cells[0]; ++i) {
-            const Cell cell{patch, {i, j}};
-            surfaces.get(0, cell, piece);
-            const DerivedPiece surface(piece);
-            surfaces.get(1, cell, piece);
-            const DerivedPiece reference(piece);
-            for (const GaussPoint& place : gaussPoints({surfaces.range(cell, 0), surfaces.range(cell, 1)})) {
-                const auto own = surface.at(place.u, place.v);
-                const auto other = reference.at(place.u, place.v);
-                if (!own || !other) continue;
-                const double angle = degreesBetween(point(own->normal), point(other->normal));
-                ShapeMeasures here;
-                here.largestNormalDeviation = angle;
-                here.squaredNormalDeviation = place.area * angle * angle;
-                here.area = place.area;
-                here.bending = {own->bending / 4, other->bending / 4};
-                measures.add(here);
-            }
+    for (const Cell& cell : surfaces.cells(patch)) {
+        surfaces.get(0, cell, piece);
+        const DerivedPiece surface(piece);
+        surfaces.get(1, cell, piece);
+        const DerivedPiece reference(piece);
+        for (const GaussPoint& place : gaussPoints(surfaces.box(cell))) {
+            const auto own = surface.at(place.u, place.v);
+            const auto other = reference.at(place.u, place.v);
+            if (!own || !other) continue;
+            const double angle = degreesBetween(point(own->normal), point(other->normal));
+            ShapeMeasures here;
+            here.largestNormalDeviation = angle;
+            here.squaredNormalDeviation = place.area * angle * angle;
+            here.area = place.area;
+            here.bending = {own->bending / 4, other->bending / 4};
+            measures.add(here);
         }
+    }
     return measures;
 }
 

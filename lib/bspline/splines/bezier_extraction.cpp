@@ -102,22 +102,11 @@ std::vector<double> gridLines(int edges) {
     return lines;
 }
 
-std::vector<double> mergedBreaks(std::span<const double> a, std::span<const double> b) {
-    std::vector<double> all(a.begin(), a.end());
-    all.insert(all.end(), b.begin(), b.end());
-    std::ranges::sort(all);
-    constexpr double apart = 1e-9;
-    const auto near = [](double x, double y) { return y - x < apart; };
-    all.erase(std::unique(all.begin(), all.end(), near), all.end());
-    return all;
-}
-
 BezierExtraction splineExtraction(std::span<const double> knots, int degree, std::vector<double> breaks,
                                   int elevatedTo) {
     BezierExtraction extraction{degree + 1, elevatedTo, std::move(breaks), {}, {}};
     for (std::size_t k = 0; k + 1 < extraction.breaks.size(); ++k) {
-        const double from = extraction.breaks[k];
-        const double to = extraction.breaks[k + 1];
+        const auto [from, to] = extraction.range(k);
         const std::size_t span = knotSpan(knots, degree, 0.5 * (from + to));
         Weights rows;
         for (int times = 0; times <= degree; ++times)

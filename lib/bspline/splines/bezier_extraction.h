@@ -1,6 +1,7 @@
 /// \file From control points to Bernstein's form, interval by interval, along one direction.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -17,6 +18,10 @@ struct BezierExtraction {
     std::vector<double> weights;    ///< of every interval degree + 1 rows of `controls` weights
 
     [[nodiscard]] std::size_t intervals() const { return first.size(); }
+    /// The ends of an interval.
+    [[nodiscard]] std::array<double, 2> range(std::size_t interval) const {
+        return {breaks[interval], breaks[interval + 1]};
+    }
     /// Row by row.
     [[nodiscard]] std::span<const double> of(std::size_t interval) const;
     /// The interval with the parameter; the nearest one if it is outside.
@@ -28,9 +33,6 @@ struct BezierExtraction {
 
 /// 0, 1 ... edges: the parameters of a patch's grid lines.
 [[nodiscard]] std::vector<double> gridLines(int edges);
-
-/// Both lists as one, ascending; what is nearer than 1e-9 to its neighbour counts once.
-[[nodiscard]] std::vector<double> mergedBreaks(std::span<const double> a, std::span<const double> b);
 
 /// Of a spline.
 /// \param breaks  within its domain, all its different knots among them

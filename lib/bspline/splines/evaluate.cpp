@@ -29,7 +29,7 @@ Point combine(const Row& row, std::size_t first, const std::array<double, maxDeg
 
 } // namespace
 
-std::array<std::array<double, 2>, 2> domain(const Patch& patch) {
+ParameterBox domain(const Patch& patch) {
     return {domain(patch.knots[0], patch.degree[0]), domain(patch.knots[1], patch.degree[1])};
 }
 

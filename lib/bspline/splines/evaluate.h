@@ -21,7 +21,7 @@ struct SurfacePoint {
 };
 
 /// Smallest and largest u, smallest and largest v.
-[[nodiscard]] std::array<std::array<double, 2>, 2> domain(const Patch& patch);
+[[nodiscard]] ParameterBox domain(const Patch& patch);
 
 /// Outside its domain a patch goes on as the polynomial at its end.
 [[nodiscard]] SurfacePoint evaluate(const Patch& patch, double u, double v);

@@ -4,6 +4,10 @@
 #include "bspline/splines/basis.h"
 #include "bspline/splines/eigen_point.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 namespace qm {
 namespace {
 
@@ -62,6 +66,10 @@ void restrictRow(Eigen::Vector3d* points, std::size_t stride, int degree, double
                     (1 - begin) * points[at(i) * stride] + begin * points[at(i + 1) * stride];
 }
 
+std::vector<double> knotsOf(const Patch& patch, std::size_t direction) {
+    return differentKnots(patch.knots[direction], patch.degree[direction]);
+}
+
 BezierPieces piecesOf(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
                       const std::array<int, 2>& degree) {
     BezierPieces pieces;
@@ -102,14 +110,50 @@ void BezierPieces::get(std::size_t i, std::size_t j, BezierPiece& piece) const {
 }
 
 BezierPieces bezierPieces(const Patch& patch) {
-    const std::array<std::vector<double>, 2> breaks{differentKnots(patch.knots[0], patch.degree[0]),
-                                                    differentKnots(patch.knots[1], patch.degree[1])};
-    return piecesOf(patch, breaks, patch.degree);
+    return piecesOf(patch, {knotsOf(patch, 0), knotsOf(patch, 1)}, patch.degree);
 }
 
 BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
                           int elevatedTo) {
     return piecesOf(patch, breaks, {elevatedTo, elevatedTo});
+}
+
+std::array<std::vector<double>, 2> knotsAndGridLines(const Patch& patch) {
+    constexpr double apart = 1e-9;
+    const auto areNear = [](double x, double y) { return y - x < apart; };
+    std::array<std::vector<double>, 2> result;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::vector<double> knots = knotsOf(patch, k);
+        const std::vector<double> lines = gridLines(static_cast<int>(std::lround(knots.back())));
+        std::ranges::merge(knots, lines, std::back_inserter(result[k]));
+        result[k].erase(std::unique(result[k].begin(), result[k].end(), areNear), result[k].end());
+    }
+    return result;
+}
+
+std::array<PatchPiece, 4> quarters(const PatchPiece& whole) {
+    const Parameters middle = middleOf(whole.box);
+    const auto half = [&](std::size_t direction, std::size_t number) {
+        std::array<double, 2> range = whole.box[direction];
+        range[1 - number] = middle[direction];
+        return range;
+    };
+    std::array<PatchPiece, 4> parts;
+    for (const std::size_t u : {0U, 1U})
+        for (const std::size_t v : {0U, 1U}) {
+            PatchPiece& part = parts[2 * u + v];
+            part.box = {half(0, u), half(1, v)};
+            const Parameters from{u / 2.0, v / 2.0};
+            restrict(whole.piece, from, {from[0] + 0.5, from[1] + 0.5}, part.piece);
+        }
+    return parts;
+}
+
+double farthestFrom(const Eigen::Vector3d& place, const BezierPiece& piece) {
+    double square = 0;
+    for (const Eigen::Vector3d& point : piece.points)
+        square = std::max(square, (point - place).squaredNorm());
+    return std::sqrt(square);
 }
 
 void restrict(const BezierPiece& piece, const std::array<double, 2>& from, const std::array<double, 2>& to,
@@ -145,15 +189,15 @@ PiecePoint evaluate(const BezierPiece& piece, double u, double v) {
     return result;
 }
 
-BezierPiece derivative(const BezierPiece& piece, int direction) {
+BezierPiece derivative(const BezierPiece& piece, std::size_t direction) {
     BezierPiece result;
     result.degree = piece.degree;
-    --result.degree[at(direction)];
+    --result.degree[direction];
     const int stepI = direction == 0 ? 1 : 0;
     result.points.reserve(piece.points.size());
     for (int j = 0; j <= result.degree[1]; ++j)
         for (int i = 0; i <= result.degree[0]; ++i)
-            result.points.emplace_back(piece.degree[at(direction)] *
+            result.points.emplace_back(piece.degree[direction] *
                                        (piece.at(i + stepI, j + 1 - stepI) - piece.at(i, j)));
     return result;
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace qm {
@@ -50,10 +51,37 @@ struct BezierPieces {
 [[nodiscard]] BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
                                         int elevatedTo);
 
+/// The knots of a patch and the lines of its segment's grid as parameters at which to cut, along u and along
+/// v, ascending; what is nearer than 1e-9 to its neighbour counts once.
+[[nodiscard]] std::array<std::vector<double>, 2> knotsAndGridLines(const Patch& patch);
+
+/// A piece of a patch, and the parameters over which it lies.
+struct PatchPiece {
+    BezierPiece piece;
+    ParameterBox box{};
+};
+
+/// Calls a function with every `PatchPiece`, row by row.
+template <class Function> void forEachPiece(const BezierPieces& pieces, const Function& function) {
+    const auto& [u, v] = pieces.along;
+    for (std::size_t j = 0; j < v.intervals(); ++j)
+        for (std::size_t i = 0; i < u.intervals(); ++i) {
+            PatchPiece part{{}, {u.range(i), v.range(j)}};
+            pieces.get(i, j, part.piece);
+            function(std::move(part));
+        }
+}
+
+/// The pieces over the quarters of a piece's box.
+[[nodiscard]] std::array<PatchPiece, 4> quarters(const PatchPiece& whole);
+
 /// The piece over a box within (0, 0) to (1, 1).
 /// \param result  another piece; keeps its memory
 void restrict(const BezierPiece& piece, const std::array<double, 2>& from, const std::array<double, 2>& to,
               BezierPiece& result);
+
+/// The largest distance of a piece's Bezier points from a place, which no point of the piece exceeds.
+[[nodiscard]] double farthestFrom(const Eigen::Vector3d& place, const BezierPiece& piece);
 
 /// Point and derivatives by the parameters of the unit square.
 struct PiecePoint {
@@ -64,7 +92,7 @@ struct PiecePoint {
 [[nodiscard]] PiecePoint evaluate(const BezierPiece& piece, double u, double v);
 
 /// By u: direction 0, by v: direction 1. Of one degree less in that direction, which must be at least 1.
-[[nodiscard]] BezierPiece derivative(const BezierPiece& piece, int direction);
+[[nodiscard]] BezierPiece derivative(const BezierPiece& piece, std::size_t direction);
 
 /// du x dv, of degrees 2 degree[0] - 1 and 2 degree[1] - 1; degrees must be at least 1.
 [[nodiscard]] BezierPiece normalPiece(const BezierPiece& piece);

@@ -11,6 +11,16 @@
 
 namespace qm {
 
+/// Parameters of a patch: u and v.
+using Parameters = std::array<double, 2>;
+
+/// A rectangle of parameters: its ends along u and along v.
+using ParameterBox = std::array<std::array<double, 2>, 2>;
+
+[[nodiscard]] constexpr Parameters middleOf(const ParameterBox& box) {
+    return {0.5 * (box[0][0] + box[0][1]), 0.5 * (box[1][0] + box[1][1])};
+}
+
 /// A tensor-product B-spline surface. Parameter u runs along the segment's side 0, v along its side 1; knots
 /// are full vectors (control points + degree + 1 of them) and need not be clamped: the surface is what lies
 /// between knot [degree] and knot [count] of each direction. There it is parameterised like the segment's
@@ -56,7 +66,7 @@ struct Deviation {
 /// A place of the layout: parameters of one of its patches.
 struct LayoutPlace {
     std::size_t patch = 0;
-    std::array<double, 2> at{};
+    Parameters at{};
 };
 
 /// The distances of surfaces from a scan's triangles, where it shows something.

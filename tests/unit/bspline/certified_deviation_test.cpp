@@ -67,10 +67,9 @@ double sampledMaximum(const PairedSurfaces& surfaces, std::size_t patch, int per
                 const LayoutPlace place{patch, {1.0 * i / perEdge, 1.0 * j / perEdge}};
                 const Cell cell = surfaces.cellAt(place);
                 surfaces.get(surface, cell, piece);
-                const auto [u0, u1] = surfaces.range(cell, 0);
-                const auto [v0, v1] = surfaces.range(cell, 1);
-                const auto at =
-                    evaluate(piece, (place.at[0] - u0) / (u1 - u0), (place.at[1] - v0) / (v1 - v0));
+                const auto [us, vs] = surfaces.box(cell);
+                const auto at = evaluate(piece, (place.at[0] - us[0]) / (us[1] - us[0]),
+                                         (place.at[1] - vs[0]) / (vs[1] - vs[0]));
                 largest = std::max(largest, search(1 - surface, place, at.position).distance);
             }
     return largest;
