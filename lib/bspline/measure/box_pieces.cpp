@@ -1,5 +1,6 @@
 #include "bspline/measure/box_pieces.h"
 
+#include "bspline/measure/quarter_turns.h"
 #include "layout/sides.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ struct Continuation {
     int turns;
 
     [[nodiscard]] Parameters operator()(const Parameters& at) const {
-        const Parameters moved = turned({at[0] - from[0], at[1] - from[1]}, turns);
+        const Parameters moved = turned<double>({at[0] - from[0], at[1] - from[1]}, turns);
         return {to.at[0] + moved[0], to.at[1] + moved[1]};
     }
 };
@@ -49,11 +50,8 @@ std::optional<Continuation> continuationOver(const PairedSurfaces& surfaces, std
 /// A flag of either end along either direction, seen from directions turned by so many quarters.
 bool seenTurned(const std::array<std::array<bool, 2>, 2>& flags, int turns, std::size_t direction,
                 std::size_t end) {
-    Parameters unit{};
-    unit[direction] = 1;
-    const Parameters way = turned(unit, turns);
-    const std::size_t axis = way[0] != 0 ? 0 : 1;
-    return flags[axis][way[axis] > 0 ? end : 1 - end];
+    const auto [axis, sign] = turnedDirection(direction, turns);
+    return flags[axis][sign > 0 ? end : 1 - end];
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "bspline/measure/distance_bound.h"
 #include "bspline/measure/gauss_points.h"
 #include "bspline/measure/largest_first.h"
+#include "bspline/measure/quarter_turns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +108,7 @@ private:
                 (top ? quarter.from : quarter.to)[1] = part.division[1];
                 const LayoutPlace at = bound_.middle(quarter);
                 const auto way =
-                    turned({at.at[0] - middle.at[0], at.at[1] - middle.at[1]}, quarter.foot.turns);
+                    turned<double>({at.at[0] - middle.at[0], at.at[1] - middle.at[1]}, quarter.foot.turns);
                 const auto extent = surfaces_.extent(quarter.foot.place.patch);
                 for (std::size_t k = 0; k < 2; ++k)
                     quarter.foot.place.at[k] = std::clamp(quarter.foot.place.at[k] + way[k], 0.0, extent[k]);

@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "base/infinity.h"
 #include "bspline/measure/foot_frame.h"
+#include "bspline/measure/quarter_turns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,11 +122,8 @@ ParameterBox DistanceBound::pairWithOther(const BoxMiddle& own, SurfacePart& par
     Parameters begin{};
     Parameters end{};
     for (std::size_t k = 0; k < 2; ++k) {
-        Parameters unit{};
-        unit[k] = 1;
-        const Parameters way = turned(unit, (4 - foot.turns) % 4);
-        const std::size_t ownAxis = way[0] != 0 ? 0 : 1;
-        const double reach = own.half[ownAxis] * speedRatio(way[0] * own.here.du + way[1] * own.here.dv,
+        const auto [ownAxis, sign] = turnedDirection(k, (4 - foot.turns) % 4);
+        const double reach = own.half[ownAxis] * speedRatio(sign * (ownAxis == 0 ? own.here.du : own.here.dv),
                                                             k == 0 ? foot.du : foot.dv);
         const auto [from, to] = cell[k];
         const double at = foot.place.at[k];
@@ -133,9 +131,8 @@ ParameterBox DistanceBound::pairWithOther(const BoxMiddle& own, SurfacePart& par
         begin[k] = std::clamp((at - reach - from) / (to - from), 0.0, 1.0);
         end[k] = std::clamp((at + reach - from) / (to - from), 0.0, 1.0);
         box[k] = {std::lerp(from, to, begin[k]), std::lerp(from, to, end[k])};
-        part.division[ownAxis] =
-            std::lerp(part.from[ownAxis], part.to[ownAxis],
-                      0.5 + way[ownAxis] * division((from - at) / reach, (to - at) / reach));
+        part.division[ownAxis] = std::lerp(part.from[ownAxis], part.to[ownAxis],
+                                           0.5 + sign * division((from - at) / reach, (to - at) / reach));
     }
     restrict(otherCell_(1 - part.surface, target), begin, end, difference_);
     subtractFrom(own_, foot.turns, difference_);

@@ -117,17 +117,4 @@ const BezierPiece& LastPiece::operator()(std::size_t surface, const Cell& cell) 
     return piece_;
 }
 
-std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters) {
-    switch (quarters) {
-    case 0:
-        return vector;
-    case 1:
-        return {-vector[1], vector[0]};
-    case 2:
-        return {-vector[0], -vector[1]};
-    default:
-        return {vector[1], -vector[0]};
-    }
-}
-
 } // namespace qm

@@ -78,22 +78,4 @@ private:
     BezierPiece piece_;
 };
 
-/// A vector of parameters after a number of counter-clockwise quarter turns.
-[[nodiscard]] std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters);
-/// The column and row that control points of a square net have after so many quarter turns about its middle.
-[[nodiscard]] constexpr std::array<int, 2> turnedIndex(const std::array<int, 2>& index, int degree,
-                                                       int quarters) {
-    const auto [i, j] = index;
-    switch (quarters) {
-    case 0:
-        return {i, j};
-    case 1:
-        return {degree - j, i};
-    case 2:
-        return {degree - i, degree - j};
-    default:
-        return {j, degree - i};
-    }
-}
-
 } // namespace qm
