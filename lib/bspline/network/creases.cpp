@@ -43,8 +43,7 @@ public:
             if (roundness(mesh_, curve) > roundLine)
                 ofRound.insert(ofRound.end(), curve.begin(), curve.end());
         }
-        for (const HalfedgeId halfedge : ofRound)
-            marks_.isCrease[index(halfedge)] = false;
+        mark(ofRound, false);
     }
 
     void closeGaps(double minAngle) {
@@ -52,8 +51,7 @@ public:
             for (const HalfedgeId next : wantedAt(vertex)) {
                 if (isCrease(next)) continue; // since another one was closed
                 const std::vector<HalfedgeId> gap = gapFrom(next, minAngle);
-                for (const HalfedgeId halfedge : gap)
-                    marks_.isCrease[index(halfedge)] = true;
+                mark(gap, true);
                 if (!gap.empty()) waiting.push_back(mesh_.to_vertex_handle(gap.back()));
             }
         });
@@ -92,28 +90,27 @@ private:
     [[nodiscard]] std::size_t index(HalfedgeId halfedge) const { return at(mesh_.edge_handle(halfedge)); }
     [[nodiscard]] bool isCrease(HalfedgeId halfedge) const { return marks_.isCrease[index(halfedge)]; }
 
-    [[nodiscard]] bool hasCrease(VertexId vertex) const {
-        return std::ranges::any_of(mesh_.voh_range(vertex),
-                                   [&](HalfedgeId border) { return isCrease(border); });
+    void mark(const std::vector<HalfedgeId>& curve, bool isCrease) {
+        for (const HalfedgeId halfedge : curve)
+            marks_.isCrease[index(halfedge)] = isCrease;
+    }
+
+    /// The borders that leave a vertex: those that are creases, or the others.
+    [[nodiscard]] std::vector<HalfedgeId> bordersAt(VertexId vertex, bool areCreases) const {
+        std::vector<HalfedgeId> borders;
+        for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
+            if (marks_.isBorder[index(halfedge)] && isCrease(halfedge) == areCreases)
+                borders.push_back(halfedge);
+        return borders;
     }
 
     /// Borders at a vertex that would complete the creases there: what goes straight on from a loose end, and
     /// all of a corner's, whose creases do not lie in one tangent plane.
     [[nodiscard]] std::vector<HalfedgeId> wantedAt(VertexId vertex) const {
-        std::size_t count = 0;
-        HalfedgeId last;
-        std::vector<HalfedgeId> others;
-        for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
-            if (isCrease(halfedge)) {
-                ++count;
-                last = halfedge;
-            } else if (marks_.isBorder[index(halfedge)]) {
-                others.push_back(halfedge);
-            }
-        }
-        if (count > 2 || isCornerOfTwo(vertex)) return others;
-        if (count == 1 && continuesStraight(mesh_, vertex))
-            return {straightOn(mesh_, mesh_.opposite_halfedge_handle(last))};
+        const std::vector<HalfedgeId> creases = bordersAt(vertex, true);
+        if (creases.size() > 2 || isCornerOfTwo(vertex)) return bordersAt(vertex, false);
+        if (creases.size() == 1 && continuesStraight(mesh_, vertex))
+            return {straightOn(mesh_, mesh_.opposite_halfedge_handle(creases.front()))};
         return {};
     }
 
@@ -125,22 +122,17 @@ private:
             if (!marks_.isBorder[index(next)] || angles_[index(next)] <= minAngle) return {};
             gap.push_back(next);
             const VertexId end = mesh_.to_vertex_handle(next);
-            if (hasCrease(end)) return roundness(mesh_, gap) > roundLine ? std::vector<HalfedgeId>{} : gap;
+            if (!bordersAt(end, true).empty())
+                return roundness(mesh_, gap) > roundLine ? std::vector<HalfedgeId>{} : gap;
             if (!continuesStraight(mesh_, end)) return {};
         }
     }
 
     /// The only crease that leaves a vertex beside one that arrives, if there is one and no more.
     [[nodiscard]] HalfedgeId onlyCrease(VertexId vertex, HalfedgeId arriving) const {
-        HalfedgeId only;
-        for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
-            const bool isBack =
-                arriving.is_valid() && mesh_.edge_handle(halfedge) == mesh_.edge_handle(arriving);
-            if (isBack || !isCrease(halfedge)) continue;
-            if (only.is_valid()) return HalfedgeId();
-            only = halfedge;
-        }
-        return only;
+        std::vector<HalfedgeId> creases = bordersAt(vertex, true);
+        if (arriving.is_valid()) std::erase(creases, mesh_.opposite_halfedge_handle(arriving));
+        return creases.size() == 1 ? creases.front() : HalfedgeId();
     }
 
     /// A curve of creases inside the mesh from one of them on: as far as none follows or several do, and once
@@ -165,19 +157,15 @@ private:
         const auto isCertain = [&](HalfedgeId halfedge) { return angles_[index(halfedge)] > certain; };
         if (std::ranges::any_of(curve, isCertain)) return std::nullopt;
         if (curve.size() > maxEdges && roundness(mesh_, curve) <= maxRoundnessIfLoose) return std::nullopt;
-        for (const HalfedgeId halfedge : curve)
-            marks_.isCrease[index(halfedge)] = false;
+        mark(curve, false);
         if (!isCornerOfTwo(end)) return end;
-        for (const HalfedgeId halfedge : curve)
-            marks_.isCrease[index(halfedge)] = true;
+        mark(curve, true);
         return std::nullopt;
     }
 
     /// Two creases meet inside the surface, no side of a patch follows both, and no curve can.
     [[nodiscard]] bool isCornerOfTwo(VertexId vertex) const {
-        std::vector<HalfedgeId> creases;
-        for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
-            if (isCrease(halfedge)) creases.push_back(halfedge);
+        const std::vector<HalfedgeId> creases = bordersAt(vertex, true);
         if (creases.size() != 2 || mesh_.is_boundary(vertex)) return false;
         const VertexFan fan = vertexFan(mesh_, marks_, vertex);
         bool leavesRoom = true;
@@ -192,13 +180,9 @@ private:
 
     /// Of the borders that are no creases, the one with the largest dihedral angle.
     [[nodiscard]] HalfedgeId sharpestOther(VertexId vertex) const {
-        HalfedgeId sharpest;
-        for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
-            if (!marks_.isBorder[index(halfedge)] || isCrease(halfedge)) continue;
-            if (!sharpest.is_valid() || angles_[index(halfedge)] > angles_[index(sharpest)])
-                sharpest = halfedge;
-        }
-        return sharpest;
+        const std::vector<HalfedgeId> others = bordersAt(vertex, false);
+        const auto angle = [&](HalfedgeId halfedge) { return angles_[index(halfedge)]; };
+        return others.empty() ? HalfedgeId() : *std::ranges::max_element(others, {}, angle);
     }
 
     const QuadMesh& mesh_;
