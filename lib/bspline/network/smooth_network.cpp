@@ -29,6 +29,39 @@ std::vector<double> ratiosAtVertices(const QuadMesh& mesh, const SmoothNetwork& 
     return ratios;
 }
 
+/// The runs of smooth edges, each as far as all tangent ratios at the vertices inside are zero.
+std::vector<SmoothRun> smoothRuns(const QuadMesh& mesh, const SmoothNetwork& network,
+                                  const std::vector<double>& ratios) {
+    const auto isSmooth = [&](HalfedgeId halfedge) {
+        return !network.marks.isCrease[at(mesh.edge_handle(halfedge))];
+    };
+    const auto ratioAtBegin = [&](HalfedgeId halfedge) { return ratios[at(halfedge)]; };
+    // There an edge comes to the vertex, where the ratio is meant for what leaves.
+    const auto ratioAtEnd = [&](HalfedgeId halfedge) {
+        return -ratios[at(mesh.opposite_halfedge_handle(halfedge))];
+    };
+    std::vector<SmoothRun> runs;
+    for (std::size_t k = 0; k < network.stretches.size(); ++k) {
+        const auto& halfedges = network.stretches[k].halfedges;
+        for (std::size_t edge = 0; edge < halfedges.size(); ++edge) {
+            if (!isSmooth(halfedges[edge])) continue;
+            const bool goesOn = edge > 0 && isSmooth(halfedges[edge - 1]) &&
+                                ratioAtEnd(halfedges[edge - 1]) == 0 && ratioAtBegin(halfedges[edge]) == 0;
+            if (!goesOn) {
+                SmoothRun& run = runs.emplace_back();
+                run.stretch = k;
+                run.begin = static_cast<int>(edge);
+                run.ratio.atEnd[0] = ratioAtBegin(halfedges[edge]);
+            }
+            runs.back().end = static_cast<int>(edge) + 1;
+            runs.back().ratio.atEnd[1] = ratioAtEnd(halfedges[edge]);
+        }
+    }
+    for (SmoothRun& run : runs)
+        run.ratio.length = run.end - run.begin;
+    return runs;
+}
+
 } // namespace
 
 SmoothNetwork buildNetwork(const QuadMesh& mesh, const Layout& layout,
@@ -36,34 +69,7 @@ SmoothNetwork buildNetwork(const QuadMesh& mesh, const Layout& layout,
     const auto borders = borderEdges(mesh, layout);
     SmoothNetwork network{markBorders(mesh, borders, dihedralAngles, rho), {}, findStretches(borders), {}};
     network.rules = vertexRules(mesh, layout, network.marks.isCrease);
-    const auto ratios = ratiosAtVertices(mesh, network, borders);
-    const auto ratioAt = [&](HalfedgeId leaving) { return ratios[at(leaving)]; };
-    const auto isSmooth = [&](HalfedgeId halfedge) {
-        return !network.marks.isCrease[at(mesh.edge_handle(halfedge))];
-    };
-    for (std::size_t k = 0; k < network.stretches.size(); ++k) {
-        const auto& halfedges = network.stretches[k].halfedges;
-        for (std::size_t begin = 0; begin < halfedges.size();) {
-            if (!isSmooth(halfedges[begin])) {
-                ++begin;
-                continue;
-            }
-            std::size_t end = begin + 1;
-            const auto leaves = [&](std::size_t at) {
-                return ratioAt(halfedges[at]) != 0 ||
-                       ratioAt(mesh.opposite_halfedge_handle(halfedges[at - 1])) != 0;
-            };
-            while (end < halfedges.size() && isSmooth(halfedges[end]) && !leaves(end))
-                ++end;
-            SmoothRun run{k, static_cast<int>(begin), static_cast<int>(end), {}};
-            run.ratio.length = static_cast<double>(end - begin);
-            // At its end the run comes to the vertex, where the ratio is meant for what leaves.
-            run.ratio.atEnd = {ratioAt(halfedges[begin]),
-                               -ratioAt(mesh.opposite_halfedge_handle(halfedges[end - 1]))};
-            network.runs.push_back(run);
-            begin = end;
-        }
-    }
+    network.runs = smoothRuns(mesh, network, ratiosAtVertices(mesh, network, borders));
     return network;
 }
 
