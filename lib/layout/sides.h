@@ -40,13 +40,13 @@ template <class Number> constexpr Number alongSide(int side, Number distance, Nu
 
 /// The column and row, or u and v, at a distance from a side's beginning.
 /// \param size  of the grid in both directions
-template <class Number>
-constexpr std::array<Number, 2> placeOnSide(const std::array<Number, 2>& size, int side, Number distance) {
+template <class Size, class Number>
+constexpr std::array<Number, 2> placeOnSide(const std::array<Size, 2>& size, int side, Number distance) {
     const std::size_t along = directionAlong(side);
     const std::size_t across = directionAcross(side);
     std::array<Number, 2> place{};
-    place[along] = alongSide(side, distance, size[along]);
-    if (isFarSide(side)) place[across] = size[across];
+    place[along] = alongSide(side, distance, static_cast<Number>(size[along]));
+    if (isFarSide(side)) place[across] = static_cast<Number>(size[across]);
     return place;
 }
 

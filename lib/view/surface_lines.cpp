@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::uint32_t onSide(std::size_t patch, int side, std::size_t along) const {
         const auto& [first, size] = parts_[patch];
         const std::size_t right = width(size[0]) - 1, top = width(size[1]) - 1;
-        const auto [i, j] = placeOnSide({right, top}, side, along);
+        const auto [i, j] = placeOnSide<std::size_t>({right, top}, side, along);
         return static_cast<std::uint32_t>(first + j * (right + 1) + i);
     }
     [[nodiscard]] std::size_t steps() const { return steps_; }

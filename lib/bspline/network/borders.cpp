@@ -6,9 +6,7 @@
 namespace qm {
 
 std::array<double, 2> parametersAt(const Layout& layout, const BorderPlace& place, double along) {
-    const auto [columns, rows] = layout.segments[place.patch].size;
-    const std::array<double, 2> size{static_cast<double>(columns), static_cast<double>(rows)};
-    return placeOnSide(size, place.side, place.position + along);
+    return placeOnSide(layout.segments[place.patch].size, place.side, place.position + along);
 }
 
 std::vector<BorderEdge> borderEdges(const QuadMesh& mesh, const Layout& layout) {

@@ -22,10 +22,10 @@ struct RefinedPoint {
     double within = 0;
 };
 
-/// All control points of clamped cubics with these inner knots.
-std::vector<RefinedPoint> refinedPoints(double begin, double end, const std::vector<double>& inner) {
+/// All control points between two parameters in the common refinement of both strips.
+std::vector<RefinedPoint> refinedPoints(double begin, double end, const StripPair& strips) {
     std::vector<double> knots(4, begin);
-    knots.insert(knots.end(), inner.begin(), inner.end());
+    std::ranges::copy(knotsBetween(begin, end, strips), std::back_inserter(knots));
     knots.insert(knots.end(), 4, end);
     std::vector<RefinedPoint> points;
     for (std::size_t k = 0; k + 4 < knots.size(); ++k) {
@@ -41,7 +41,7 @@ std::vector<RefinedPoint> refinedPoints(double begin, double end, const std::vec
 /// Where the tangent ratio is zero, both sides' derivatives are splines of one kind.
 void addOppositeDerivatives(double begin, double end, const StripPair& strips,
                             std::vector<LinearForm>& equations) {
-    for (const RefinedPoint& point : refinedPoints(begin, end, knotsBetween(begin, end, strips))) {
+    for (const RefinedPoint& point : refinedPoints(begin, end, strips)) {
         LinearForm form;
         for (const BorderStrip& strip : strips)
             strip.addBlossom(Across::derivative, point.at, point.within, 1, form);
@@ -85,8 +85,7 @@ void addCollocation(const SmoothRun& run, double begin, double end, const StripP
 
 void addPositionEquations(const Stretch& stretch, const StripPair& strips,
                           std::vector<LinearForm>& equations) {
-    const double end = stretch.length();
-    for (const RefinedPoint& point : refinedPoints(0, end, knotsBetween(0, end, strips))) {
+    for (const RefinedPoint& point : refinedPoints(0, stretch.length(), strips)) {
         LinearForm form;
         strips[0].addBlossom(Across::position, point.at, point.within, 1, form);
         strips[1].addBlossom(Across::position, point.at, point.within, -1, form);

@@ -36,8 +36,7 @@ double patchParameter(const std::array<int, 2>& size, const StretchSide& place, 
 }
 
 std::array<double, 2> patchPlace(const std::array<int, 2>& size, const StretchSide& place, double x) {
-    return placeOnSide<double>({1.0 * size[0], 1.0 * size[1]}, place.side,
-                               place.origin + place.direction * x);
+    return placeOnSide(size, place.side, place.origin + place.direction * x);
 }
 
 double stretchParameter(const std::array<int, 2>& size, const StretchSide& place, double parameter) {

@@ -1,5 +1,7 @@
 #include "bspline/splines/blossom.h"
 
+#include "bspline/splines/eigen_point.h"
+
 #include <array>
 
 namespace qm {
@@ -9,7 +11,7 @@ BlossomWeights blossomWeights(std::span<const double> knots, std::size_t span,
     const std::size_t count = arguments.size() + 1;
     std::array<BlossomWeights, maxDegree + 1> points;
     for (std::size_t k = 0; k < count; ++k)
-        points[k] = BlossomWeights::Unit(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(k));
+        points[k] = BlossomWeights::Unit(eigenIndex(count), eigenIndex(k));
     return blossom(knots, span, arguments, std::span(points).first(count));
 }
 

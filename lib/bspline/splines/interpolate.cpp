@@ -3,13 +3,14 @@
 #include "base/at.h"
 #include "base/parallel.h"
 
+#include <numeric>
+
 namespace qm {
 namespace {
 
 std::vector<double> uniformKnots(std::size_t intervals) {
     std::vector<double> knots(intervals + 7);
-    for (std::size_t k = 0; k < knots.size(); ++k)
-        knots[k] = static_cast<double>(k) - 3;
+    std::iota(knots.begin(), knots.end(), -3.0);
     return knots;
 }
 
