@@ -24,6 +24,12 @@ struct BorderEdge {
     std::vector<BorderPlace> places;
 };
 
+/// Marks of the mesh's edges, by edge index.
+struct BorderMarks {
+    std::vector<bool> isBorder; ///< the edge lies between two patches or on the mesh boundary
+    std::vector<bool> isCrease; ///< a border across which normals may differ; the mesh boundary is one
+};
+
 /// All border edges, in the order of the first segment, side and position that has them.
 [[nodiscard]] std::vector<BorderEdge> borderEdges(const QuadMesh& mesh, const Layout& layout);
 

@@ -1,7 +1,7 @@
 /// \file The creases of a layout, as paths along the mesh.
 #pragma once
 
-#include "bspline/network/vertex_fan.h"
+#include "bspline/network/borders.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>

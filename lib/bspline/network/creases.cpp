@@ -1,6 +1,7 @@
 #include "bspline/network/creases.h"
 
 #include "base/at.h"
+#include "bspline/network/vertex_fan.h"
 #include "bspline/network/vertex_rules.h"
 #include "mesh/roundness.h"
 #include "mesh/topology.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bspline/network/borders.h"
-#include "bspline/network/vertex_fan.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 #include "bspline/network/smooth_network.h"
 
 #include "base/at.h"
-#include "bspline/network/borders.h"
 #include "bspline/network/creases.h"
+#include "bspline/network/vertex_fan.h"
 #include "mesh/topology.h"
 
 #include <cstddef>

@@ -1,9 +1,10 @@
 /// \file The network of a layout's borders: stretches, and the runs along which surfaces are to be smooth.
 #pragma once
 
-#include "bspline/network/continuity.h"
+#include "bspline/network/borders.h"
+#include "bspline/network/smooth_run.h"
 #include "bspline/network/stretches.h"
-#include "bspline/network/vertex_fan.h"
+#include "bspline/network/vertex_rules.h"
 #include "layout/layout.h"
 
 #include <vector>

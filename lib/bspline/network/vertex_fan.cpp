@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "mesh/angle_between.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,31 +120,22 @@ constexpr double rounding = 1e-12; ///< elsewhere: what computing with angles le
 VertexFan vertexFan(const QuadMesh& mesh, const BorderMarks& marks, VertexId vertex) {
     const auto edge = [&](HalfedgeId halfedge) { return at(mesh.edge_handle(halfedge)); };
     VertexFan fan;
-    HalfedgeId first = mesh.halfedge_handle(vertex);
+    fan.isClosed = !mesh.is_boundary(vertex);
+    std::vector<HalfedgeId> leaving = leavingFrom(mesh, mesh.halfedge_handle(vertex));
     // On the boundary the first halfedge counter-clockwise is the one with a face whose opposite has none.
-    if (mesh.is_boundary(vertex)) {
-        fan.isClosed = false;
-        while (!mesh.is_boundary(mesh.opposite_halfedge_handle(first)))
-            first = mesh.cw_rotated_halfedge_handle(first);
-    } else {
-        HalfedgeId start = first;
-        do {
-            if (marks.isBorder[edge(start)]) break;
-            start = mesh.ccw_rotated_halfedge_handle(start);
-        } while (start != first);
-        first = start;
-    }
-    HalfedgeId halfedge = first;
-    do {
+    const auto first = std::ranges::find_if(leaving, [&](HalfedgeId halfedge) {
+        return fan.isClosed ? marks.isBorder[edge(halfedge)]
+                            : mesh.is_boundary(mesh.opposite_halfedge_handle(halfedge));
+    });
+    std::rotate(leaving.begin(), first, leaving.end());
+    for (const HalfedgeId halfedge : leaving) {
         if (marks.isBorder[edge(halfedge)]) {
             fan.borders.push_back(halfedge);
             fan.isCrease.push_back(marks.isCrease[edge(halfedge)]);
             fan.faces.push_back(0);
         }
-        if (mesh.is_boundary(halfedge)) break;
-        if (!fan.faces.empty()) ++fan.faces.back();
-        halfedge = mesh.ccw_rotated_halfedge_handle(halfedge);
-    } while (halfedge != first);
+        if (!fan.faces.empty() && !mesh.is_boundary(halfedge)) ++fan.faces.back();
+    }
     return fan;
 }
 

@@ -2,18 +2,13 @@
 /// should have in the tangent plane (docs/METHOD.md#smooth-fit).
 #pragma once
 
+#include "bspline/network/borders.h"
 #include "bspline/network/vertex_rules.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>
 
 namespace qm {
-
-/// Marks of the mesh's edges, by edge index.
-struct BorderMarks {
-    std::vector<bool> isBorder; ///< the edge lies between two patches or on the mesh boundary
-    std::vector<bool> isCrease; ///< a border across which normals may differ; the mesh boundary is one
-};
 
 /// The border edges around a vertex, counter-clockwise, as halfedges that leave it. Between one and the next
 /// lie `faces` of one patch: 1 is a corner of the patch, 2 a side that passes straight through. On the mesh

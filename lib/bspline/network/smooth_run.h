@@ -1,4 +1,5 @@
-/// \file How derivatives across a smooth border are tied to the derivative along it.
+/// \file Runs along which surfaces are smooth, and how their derivatives across the border are tied to the
+/// one along it.
 #pragma once
 
 #include <array>
@@ -26,6 +27,23 @@ private:
         if (atEnd[end] == 0 || distance >= reach[end]) return 0;
         const double rest = 1 - distance / reach[end];
         return atEnd[end] * rest * rest;
+    }
+};
+
+/// A run of smooth edges of a stretch, in mesh edges from the stretch's beginning.
+struct SmoothRun {
+    std::size_t stretch = 0;
+    int begin = 0;
+    int end = 0;
+    TangentRatio ratio; ///< over 0 to end - begin
+
+    /// The stretch's parameter at a distance from the run's beginning (0) or end (1).
+    [[nodiscard]] double parameterAt(std::size_t which, double distance) const {
+        return which == 0 ? begin + distance : end - distance;
+    }
+    /// The distance of a parameter of the stretch from there.
+    [[nodiscard]] double distanceFrom(std::size_t which, double parameter) const {
+        return which == 0 ? parameter - begin : end - parameter;
     }
 };
 
