@@ -51,7 +51,7 @@ PairedSurfaces::PairedSurfaces(const Layout& layout, const std::vector<Patch>& p
             ofReference.along[k] = latticeExtraction(reference.steps, breaks[k], degree);
         ofReference.controls = reference.points;
         ofReference.width = reference.columns();
-        pieces_[0][p] = bezierPieces(patches[p], breaks, degree);
+        pieces_[0][p] = bezierPieces(patches[p], breaks, {degree, degree});
 
         for (int side = 0; side < 4; ++side)
             beyond_[p][at(side)].resize(at(layout.segments[p].size[directionAlong(side)]));

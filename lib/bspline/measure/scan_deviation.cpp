@@ -27,7 +27,7 @@ public:
 
     CertifiedDeviation run() {
         const int degree = std::max(patch_.degree[0], patch_.degree[1]);
-        forEachPiece(bezierPieces(patch_, knotsAndGridLines(patch_), degree),
+        forEachPiece(bezierPieces(patch_, knotsAndGridLines(patch_), {degree, degree}),
                      [&](PatchPiece part) { add(std::move(part)); });
         const std::size_t effort = options_.stepsFor(pieces_.size());
         result_.upper = boundLargestFirst(

@@ -70,16 +70,6 @@ std::vector<double> knotsOf(const Patch& patch, std::size_t direction) {
     return differentKnots(patch.knots[direction], patch.degree[direction]);
 }
 
-BezierPieces piecesOf(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
-                      const std::array<int, 2>& degree) {
-    BezierPieces pieces;
-    for (std::size_t k = 0; k < 2; ++k)
-        pieces.along[k] = splineExtraction(patch.knots[k], patch.degree[k], breaks[k], degree[k]);
-    pieces.controls = patch.controlPoints;
-    pieces.width = at(patch.count[0]);
-    return pieces;
-}
-
 } // namespace
 
 void BezierPieces::get(std::size_t i, std::size_t j, BezierPiece& piece) const {
@@ -110,12 +100,17 @@ void BezierPieces::get(std::size_t i, std::size_t j, BezierPiece& piece) const {
 }
 
 BezierPieces bezierPieces(const Patch& patch) {
-    return piecesOf(patch, {knotsOf(patch, 0), knotsOf(patch, 1)}, patch.degree);
+    return bezierPieces(patch, {knotsOf(patch, 0), knotsOf(patch, 1)}, patch.degree);
 }
 
 BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
-                          int elevatedTo) {
-    return piecesOf(patch, breaks, {elevatedTo, elevatedTo});
+                          const std::array<int, 2>& elevatedTo) {
+    BezierPieces pieces;
+    for (std::size_t k = 0; k < 2; ++k)
+        pieces.along[k] = splineExtraction(patch.knots[k], patch.degree[k], breaks[k], elevatedTo[k]);
+    pieces.controls = patch.controlPoints;
+    pieces.width = at(patch.count[0]);
+    return pieces;
 }
 
 std::array<std::vector<double>, 2> knotsAndGridLines(const Patch& patch) {
@@ -133,18 +128,14 @@ std::array<std::vector<double>, 2> knotsAndGridLines(const Patch& patch) {
 
 std::array<PatchPiece, 4> quarters(const PatchPiece& whole) {
     const Parameters middle = middleOf(whole.box);
-    const auto half = [&](std::size_t direction, std::size_t number) {
-        std::array<double, 2> range = whole.box[direction];
-        range[1 - number] = middle[direction];
-        return range;
-    };
     std::array<PatchPiece, 4> parts;
     for (const std::size_t u : {0U, 1U})
         for (const std::size_t v : {0U, 1U}) {
             PatchPiece& part = parts[2 * u + v];
-            part.box = {half(0, u), half(1, v)};
-            const Parameters from{u / 2.0, v / 2.0};
-            restrict(whole.piece, from, {from[0] + 0.5, from[1] + 0.5}, part.piece);
+            restrict(whole.piece, {u / 2.0, v / 2.0}, {(u + 1) / 2.0, (v + 1) / 2.0}, part.piece);
+            part.box = whole.box;
+            part.box[0][1 - u] = middle[0];
+            part.box[1][1 - v] = middle[1];
         }
     return parts;
 }

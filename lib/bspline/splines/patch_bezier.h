@@ -47,9 +47,9 @@ struct BezierPieces {
 
 /// The pieces between the knots of a patch, which must outlive them.
 [[nodiscard]] BezierPieces bezierPieces(const Patch& patch);
-/// The same cut at further parameters as well, and elevated to a higher degree.
+/// The same cut at further parameters as well, and elevated to higher degrees.
 [[nodiscard]] BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
-                                        int elevatedTo);
+                                        const std::array<int, 2>& elevatedTo);
 
 /// The knots of a patch and the lines of its segment's grid as parameters at which to cut, along u and along
 /// v, ascending; what is nearer than 1e-9 to its neighbour counts once.
