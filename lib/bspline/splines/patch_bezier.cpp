@@ -127,12 +127,13 @@ std::array<std::vector<double>, 2> knotsAndGridLines(const Patch& patch) {
 }
 
 std::array<PatchPiece, 4> quarters(const PatchPiece& whole) {
+    constexpr std::array begins{0.0, 0.5};
     const Parameters middle = middleOf(whole.box);
     std::array<PatchPiece, 4> parts;
     for (const std::size_t u : {0U, 1U})
         for (const std::size_t v : {0U, 1U}) {
             PatchPiece& part = parts[2 * u + v];
-            restrict(whole.piece, {u / 2.0, v / 2.0}, {(u + 1) / 2.0, (v + 1) / 2.0}, part.piece);
+            restrict(whole.piece, {begins[u], begins[v]}, {begins[u] + 0.5, begins[v] + 0.5}, part.piece);
             part.box = whole.box;
             part.box[0][1 - u] = middle[0];
             part.box[1][1 - v] = middle[1];

@@ -36,7 +36,7 @@ template <class Function> auto forAllSteps(const Function& function) {
 [[nodiscard]] const LagrangeWeights& lagrangeAtEnd(int steps, std::size_t end);
 
 /// The derivative of the polynomial through steps + 1 points at the first one (end 0) or the last (end 1).
-/// \param point  (k) that after k steps, an int; a vector of three coordinates
+/// \param point  called with an int, k: the point after k steps, a vector of three coordinates
 template <class PointAt>
 [[nodiscard]] auto derivativeAtEnd(int steps, std::size_t end, const PointAt& point) {
     const LagrangeWeights& weights = lagrangeAtEnd(steps, end);
