@@ -114,14 +114,17 @@ endef
 # Make takes the words of a target for several files.
 require_one_word = $(if $(word 2,$*),$(error $*: targets have no blanks. Write underscores: $(subst $(empty) $(empty),_,$*)))
 
-# $(call stamp,ending,STAGE): the options of the last run; touched when they change.
+# $(call stamp,ending,STAGE): the options of the last run, written when they change. Make itself compares them, without a
+# process for each stage of each model.
+.SECONDEXPANSION:
 define stamp
-$(OUT)/.stages/%.$(1).options: FORCE
-	$$(require_one_word)
+$(OUT)/.stages/%.$(1).options: $$$$(require_one_word)$$$$(call force_if_other,$$$$@,$$$$(call options,$(2),$$$$*))
 	@mkdir -p $$(@D) $$(dir $(OUT)/$$*)
-	@echo "$$$$stamp" | cmp -s - $$@ || echo "$$$$stamp" > $$@
+	@printf '%s\n' "$$$$stamp" > $$@
 $(OUT)/.stages/%.$(1).options: export stamp = $$(call options,$(2),$$*)
 endef
+force_if_other = $(if $(wildcard $(1)),$(if $(call are_equal,$(file <$(1)),$(2)),,FORCE),FORCE)
+are_equal      = $(if $(subst <$(1)>,,<$(2)>)$(subst <$(2)>,,<$(1)>),,1)
 
 .PHONY: FORCE
 FORCE:

@@ -385,7 +385,7 @@ END
         read -r tool by signal <<<"$case"
         # A command in the background of a script cannot be interrupted from the keyboard.
         hangs "$tool" "$by"
-        QM_BIN=$PWD/tools quadmesh part.obj -o part.step 2>messages &
+        QM_BIN=$PWD/tools quadmesh part.obj --unit mm -o part.step 2>messages &
         command=$!
         for _ in {1..200}; do [[ -e started ]] && break; sleep 0.05; done
         assert [ -e started ]

@@ -60,6 +60,13 @@ END
     assert_equal "$(ran COMMON_OPTIONS='--jobs 2 --quiet' out/part.surfaces.json)" ''
 }
 
+@test "documents that are deleted are made again only where they are needed" {
+    layout_mk out/part.surfaces.json
+    rm out/part.features.json out/part.layout.json
+    assert_equal "$(ran out/part.surfaces.json)" ''
+    assert_equal "$(ran CUT_OPTIONS='--chi 20' out/part.surfaces.json)" "qm-features $FROM_CUT"
+}
+
 @test "a changed mesh runs everything" {
     layout_mk out/part.surfaces.json
     echo '# changed' >>part.obj
