@@ -97,7 +97,8 @@ sample() {
 stage() {
     local kind=$1 model=$2 file
     file=$SAMPLES/$model.$kind.json
-    case $kind in
+    # Without the processes that find the files of all stages before it.
+    [[ -e $file ]] || case $kind in
     basecomplex) once "$file" qm-basecomplex --quiet "$(sample "$model")" ;;
     features) once "$file" qm-features --quiet "$(stage basecomplex "$model")" ;;
     cut) once "$file" qm-cut --quiet --chi 20 "$(stage features "$model")" ;;
