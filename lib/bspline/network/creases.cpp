@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "bspline/network/vertex_fan.h"
 #include "bspline/network/vertex_rules.h"
+#include "mesh/angle_between.h"
 #include "mesh/roundness.h"
 #include "mesh/topology.h"
 
@@ -69,7 +70,7 @@ public:
         spread([&](VertexId vertex, std::vector<VertexId>& waiting) {
             if (!isCornerOfTwo(vertex)) return;
             const HalfedgeId third = sharpestOther(vertex);
-            if (!third.is_valid() || angles_[index(third)] <= minAngle) return;
+            if (!third.is_valid() || angleAt(third) <= minAngle) return;
             marks_.isCrease[index(third)] = true;
             waiting.push_back(mesh_.to_vertex_handle(third)); // which may have become such a corner
         });
@@ -179,10 +180,19 @@ private:
         return !leavesRoom || !isCurve(mesh_, {creases[0], creases[1]});
     }
 
-    /// Of the borders that are no creases, the one with the largest dihedral angle.
+    /// At the vertex that a border inside the mesh leaves: its dihedral angle, or the angle between the
+    /// corners on both sides of it, which is larger where quads are not plane.
+    [[nodiscard]] double angleAt(HalfedgeId leaving) const {
+        const Point edge = mesh_.calc_edge_vector(leaving);
+        const Point left = edge % mesh_.calc_edge_vector(mesh_.ccw_rotated_halfedge_handle(leaving));
+        const Point right = mesh_.calc_edge_vector(mesh_.cw_rotated_halfedge_handle(leaving)) % edge;
+        return std::max(angles_[index(leaving)], angleBetween(left, right));
+    }
+
+    /// Of the borders that are no creases, the sharpest at a vertex.
     [[nodiscard]] HalfedgeId sharpestOther(VertexId vertex) const {
         const std::vector<HalfedgeId> others = bordersAt(vertex, false);
-        const auto angle = [&](HalfedgeId halfedge) { return angles_[index(halfedge)]; };
+        const auto angle = [&](HalfedgeId halfedge) { return angleAt(halfedge); };
         return others.empty() ? HalfedgeId() : *std::ranges::max_element(others, {}, angle);
     }
 

@@ -18,9 +18,10 @@ namespace qm {
 ///   surface is not round there;
 /// - a curve of creases that ends in nothing, after a few edges or where the surface is somewhat round, and
 ///   nowhere sharp beyond doubt, is taken back as far as where creases meet;
-/// - where just two creases meet at an angle, the sharpest border between them is a crease, too, if its angle
-///   is more than half of rho: surfaces that are smooth on both sides of a corner have one tangent plane
-///   there, which no two faces that meet in an edge have.
+/// - where just two creases meet at an angle, the sharpest border between them is a crease, too, if its
+/// angle,
+///   or that between the corners of the quads beside it, is more than half of rho: surfaces that are smooth
+///   on both sides of a corner have one tangent plane there, which no two faces that meet in an edge have.
 /// \param borders  of the layout
 /// \param dihedralAngles  by edge index, radians
 [[nodiscard]] BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& borders,

@@ -155,6 +155,26 @@ TEST(Creases, WhereTwoMeetAtACornerTheSharpestOtherBorderIsAThird) {
         << "a curve that turns too much";
 }
 
+TEST(Creases, AtACornerOfTwoTheCornersOfQuadsTellHowSharpABorderIs) {
+    // The quads beside the first border are twisted: their means differ by 0.09, their corners here by 0.76.
+    QuadMesh mesh = test::star(3);
+    const std::array<Point, 6> around = {Point(-1, 0, 0),      Point(0.2, -0.6, 0.3),
+                                         Point(0.2, 1, 0.3),   Point(-0.8, -0.6, -0.1),
+                                         Point(0.4, 0.4, 1.2), Point(-0.8, 1, -0.3)};
+    for (std::size_t k = 0; k < around.size(); ++k)
+        mesh.set_point(VertexId(1 + static_cast<int>(k)), around[k]);
+    mesh.set_point(VertexId(0), Point(0, 0, 0));
+    const std::vector<double> angles = dihedralAngles(mesh);
+    const auto spoke = [&](int k) {
+        return static_cast<std::size_t>(
+            mesh.edge_handle(mesh.find_halfedge(VertexId(0), VertexId(1 + k))).idx());
+    };
+    EXPECT_LT(angles[spoke(0)], 0.1);
+    const BorderMarks marks = markBorders(mesh, borderEdges(mesh, test::segmentPerQuad(mesh)), angles, 0.6);
+    for (int k = 0; k < 3; ++k)
+        EXPECT_TRUE(marks.isCrease[spoke(k)]);
+}
+
 TEST(Creases, OfACornerThatLeadNowhereOnlyTheSharpestCounts) {
     const Grid grid{8, 8, [](double i, double j) { return Point(i, j, 0); }};
     const QuadMesh mesh = test::makeMesh(grid);
