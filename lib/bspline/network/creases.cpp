@@ -66,13 +66,14 @@ public:
         });
     }
 
-    void giveCornersThirdCreases(double minAngle) {
+    void completeCorners(double rho) {
         spread([&](VertexId vertex, std::vector<VertexId>& waiting) {
-            if (!isCornerOfTwo(vertex)) return;
-            const HalfedgeId third = sharpestOther(vertex);
-            if (!third.is_valid() || angleAt(third) <= minAngle) return;
-            marks_.isCrease[index(third)] = true;
-            waiting.push_back(mesh_.to_vertex_handle(third)); // which may have become such a corner
+            for (const HalfedgeId border : missingAt(vertex, rho)) {
+                marks_.isCrease[index(border)] = true;
+                // Either end may need more now.
+                waiting.push_back(vertex);
+                waiting.push_back(mesh_.to_vertex_handle(border));
+            }
         });
     }
 
@@ -189,11 +190,18 @@ private:
         return std::max(angles_[index(leaving)], angleBetween(left, right));
     }
 
-    /// Of the borders that are no creases, the sharpest at a vertex.
-    [[nodiscard]] HalfedgeId sharpestOther(VertexId vertex) const {
-        const std::vector<HalfedgeId> others = bordersAt(vertex, false);
+    /// Borders at a corner across which surfaces cannot be smooth there.
+    [[nodiscard]] std::vector<HalfedgeId> missingAt(VertexId vertex, double rho) const {
+        std::vector<HalfedgeId> others = bordersAt(vertex, false);
         const auto angle = [&](HalfedgeId halfedge) { return angleAt(halfedge); };
-        return others.empty() ? HalfedgeId() : *std::ranges::max_element(others, {}, angle);
+        if (bordersAt(vertex, true).size() > 2) {
+            std::erase_if(others, [&](HalfedgeId halfedge) { return angle(halfedge) <= rho; });
+            return others;
+        }
+        if (others.empty() || !isCornerOfTwo(vertex)) return {};
+        const HalfedgeId sharpest = *std::ranges::max_element(others, {}, angle);
+        if (angle(sharpest) <= shareBetween * rho) return {};
+        return {sharpest};
     }
 
     const QuadMesh& mesh_;
@@ -215,7 +223,7 @@ BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& bor
     creases.smoothRoundCurves();
     creases.closeGaps(shareBetween * rho);
     creases.takeBackLooseEnds();
-    creases.giveCornersThirdCreases(shareBetween * rho);
+    creases.completeCorners(rho);
     return std::move(creases).marks();
 }
 

@@ -22,6 +22,7 @@ namespace qm {
 /// angle,
 ///   or that between the corners of the quads beside it, is more than half of rho: surfaces that are smooth
 ///   on both sides of a corner have one tangent plane there, which no two faces that meet in an edge have.
+///   Where three or more meet, all borders are creases at which one of these angles is more than rho.
 /// \param borders  of the layout
 /// \param dihedralAngles  by edge index, radians
 [[nodiscard]] BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& borders,

@@ -175,6 +175,29 @@ TEST(Creases, AtACornerOfTwoTheCornersOfQuadsTellHowSharpABorderIs) {
         EXPECT_TRUE(marks.isCrease[spoke(k)]);
 }
 
+TEST(Creases, WhereThreeMeetAreAllBordersAtWhichQuadsAreBent) {
+    // Three of four edges at a vertex are creases by their angles. At the third edge, quads are bent by their
+    // corners alone, as the edges on both sides of it rise.
+    const auto isThirdCrease = [](double rise, double turn) {
+        QuadMesh mesh = test::star(turn < 360 ? 3 : 4, turn);
+        const auto spoke = [&](int k) {
+            return static_cast<std::size_t>(
+                mesh.edge_handle(mesh.find_halfedge(VertexId(0), VertexId(1 + k))).idx());
+        };
+        for (const int k : {1, 3})
+            mesh.set_point(VertexId(1 + k), mesh.point(VertexId(1 + k)) + Point(0, 0, rise));
+        std::vector<double> angles(mesh.n_edges());
+        angles[spoke(1)] = angles[spoke(3)] = angles[spoke(turn < 360 ? 1 : 0)] = 1;
+        const BorderMarks marks =
+            markBorders(mesh, borderEdges(mesh, test::segmentPerQuad(mesh)), angles, 0.6);
+        return marks.isCrease[spoke(2)];
+    };
+    EXPECT_TRUE(isThirdCrease(0.5, 360)) << "by 0.93";
+    EXPECT_FALSE(isThirdCrease(0.25, 360)) << "by 0.49";
+    EXPECT_TRUE(isThirdCrease(0.5, 270)) << "two of them on the boundary";
+    EXPECT_FALSE(isThirdCrease(0.25, 270));
+}
+
 TEST(Creases, OfACornerThatLeadNowhereOnlyTheSharpestCounts) {
     const Grid grid{8, 8, [](double i, double j) { return Point(i, j, 0); }};
     const QuadMesh mesh = test::makeMesh(grid);
