@@ -6,17 +6,19 @@
 #include "mesh/quad_geometry.h"
 #include "mesh/topology.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
 namespace qm {
 namespace {
 
-/// The number of vertices at the place of an earlier one, the first such pair, and whether any of them may
-/// lie on a seam, both on the boundary.
+/// The number of vertices at the place of an earlier one, the first such pair, and whether there may be a
+/// seam: two boundary edges at one place. Surfaces that touch in single vertices have none.
 struct Coincident {
     std::size_t count = 0;
     VertexId first, earlier;
@@ -36,11 +38,17 @@ Coincident coincidentVertices(const QuadMesh& mesh) {
     std::unordered_map<Point, VertexId, Hash> places(mesh.n_vertices());
     for (const VertexId vertex : mesh.vertices()) {
         const auto [place, isNew] = places.emplace(mesh.point(vertex), vertex);
-        if (isNew) continue;
-        if (mesh.is_boundary(vertex) && mesh.is_boundary(place->second)) result.mayBeSeam = true;
-        if (result.count++ > 0) continue;
+        if (isNew || result.count++ > 0) continue;
         result.first = vertex;
         result.earlier = place->second;
+    }
+    if (result.count == 0) return result;
+    std::set<std::pair<VertexId, VertexId>> sides;
+    for (const EdgeId edge : mesh.edges()) {
+        if (!mesh.is_boundary(edge)) continue;
+        const auto [a, b] = endsOf(mesh, edge);
+        if (!sides.insert(std::minmax({places.at(mesh.point(a)), places.at(mesh.point(b))})).second)
+            result.mayBeSeam = true;
     }
     return result;
 }

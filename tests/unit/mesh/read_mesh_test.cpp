@@ -248,6 +248,21 @@ TEST(Warnings, AboutCoincidentVertices) {
                      "2 of 8 vertices lie where another does"));
 }
 
+TEST(Warnings, NameTheRepairOfSeamsAloneAsItClosesNothingElse) {
+    const auto beside = [](const std::string& points) {
+        return onlyOne(
+            warningsOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n" + points + "f 1 2 3 4\nf 5 6 7 8\n"));
+    };
+    EXPECT_TRUE(says(beside("v 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\n"), "2 of 8 vertices lie where another does",
+                     "If a seam should be closed, use --repair"));
+    EXPECT_TRUE(
+        says(beside("v 1 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\n"),
+             "1 of 8 vertices lies where another does: vertex 4 where 2. The surface touches itself there"));
+    EXPECT_TRUE(says(beside("v 1 1 0\nv 2 0 0\nv 1 0 0\nv 0 0 1\n"), "lie where another does",
+                     "The surface touches itself there"))
+        << "two vertices that one surface has an edge between, the other none";
+}
+
 TEST(Warnings, AboutQuadsWithoutArea) {
     EXPECT_TRUE(says(onlyOne(warningsOf("v 0 0 0\nv 1 0 0\nv 3 0 0\nv 2 0 0\nf 1 2 3 4\n")),
                      "1 of 1 quads has no area"));
