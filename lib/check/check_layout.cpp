@@ -33,9 +33,12 @@ public:
             std::stable_partition(tracks.begin(), tracks.end(),
                                   [&](const ReadTrack& t) { return part_.tracks[t.rank].transversal; });
         const std::span transversals(tracks.begin(), notTransversal);
-        const auto ordinary = std::stable_partition(notTransversal, tracks.end(), [&](const ReadTrack& t) {
-            return sourceless_[at(around_.from(t.steps.front()))] >= 0;
-        });
+        // Pruning also draws tracks from corners of the boundary, where no particle starts.
+        const auto ordinary =
+            part_.pruned ? notTransversal
+                         : std::stable_partition(notTransversal, tracks.end(), [&](const ReadTrack& t) {
+                               return sourceless_[at(around_.from(t.steps.front()))] >= 0;
+                           });
         checkWholeLines(around_, sourceless_, std::span(notTransversal, ordinary), tracksPlace, report_);
         particles(std::span(ordinary, tracks.end()));
         checkTransversals(around_, tracks, transversals, tracksPlace, report_);

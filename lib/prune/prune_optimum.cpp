@@ -86,7 +86,10 @@ PruneResult prune(const PrunedMesh& pruned, const Layout& layout, const PruneOpt
     constexpr double halfTurn = 180; // no line turns by more
     if (!options.smooth || options.maxSharpTurn >= halfTurn)
         return pruneFrom(layout, pruned, options, rho, control);
-    const Layout cut = cutTurnedSides(pruned, layout, options.maxSharpTurn, options.constraints.forbidden);
+    const auto& forbidden = options.constraints.forbidden;
+    const Layout cut =
+        cutTurnedOutlines(pruned, cutTurnedSides(pruned, layout, options.maxSharpTurn, forbidden),
+                          options.maxSharpTurn, forbidden);
     PruneResult result = pruneFrom(cut, pruned, options, rho, control);
     result.addedTracks = properTracks(cut).size() - properTracks(layout).size();
     return result;

@@ -33,6 +33,25 @@ public:
             return {};
         const double turn = turnBetween(mesh_, left, right);
         if (turn <= maxTurn || isRound(left, right, turn)) return {};
+        return toNextBorder(std::move(path));
+    }
+
+    /// What goes from a vertex of the mesh boundary to the next border; empty if the boundary does not turn
+    /// there, or if the two quads inside have a border between them.
+    std::vector<HalfedgeId> pathFrom(VertexId corner, double maxTurn) {
+        if (!mesh_.is_boundary(corner) || mesh_.valence(corner) != 3) return {};
+        const HalfedgeId onward = mesh_.halfedge_handle(corner); // on the boundary
+        const HalfedgeId inner = mesh_.cw_rotated_halfedge_handle(onward);
+        const HalfedgeId back = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(onward));
+        const double turn = turnBetween(mesh_, onward, back);
+        if (turn <= maxTurn || borders_.isBorder(inner)) return {};
+        const double next = boundaryTurn(mesh_.to_vertex_handle(onward));
+        if (std::min(next, boundaryTurn(mesh_.to_vertex_handle(back))) > roundLine * turn) return {};
+        return toNextBorder({inner});
+    }
+
+private:
+    std::vector<HalfedgeId> toNextBorder(std::vector<HalfedgeId> path) {
         while (!borders_.hasBorder(mesh_.to_vertex_handle(path.back())))
             path.push_back(straightOn(mesh_, path.back()));
         if (std::ranges::any_of(path, [&](HalfedgeId step) { return isForbidden(step); })) return {};
@@ -40,7 +59,12 @@ public:
         return path;
     }
 
-private:
+    /// How much the mesh boundary turns at a vertex of it, degrees.
+    [[nodiscard]] double boundaryTurn(VertexId vertex) const {
+        const HalfedgeId onward = mesh_.halfedge_handle(vertex);
+        return turnBetween(mesh_, onward, mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(onward)));
+    }
+
     [[nodiscard]] bool isSharpBorder(HalfedgeId halfedge) const {
         return borders_.isBorder(halfedge) && isSharp(mesh_, dihedralAngles_, halfedge);
     }
@@ -66,6 +90,13 @@ private:
     std::vector<bool> isForbidden_; ///< by edge
 };
 
+Layout withAdded(const PrunedMesh& pruned, const Layout& layout, std::vector<Track> tracks,
+                 std::vector<Track> added) {
+    if (added.empty()) return layout;
+    std::ranges::move(added, std::back_inserter(tracks));
+    return buildLayout(pruned.mesh, tracks, pruned.dihedralAngles, pruned.edgeCosts);
+}
+
 } // namespace
 
 Layout cutTurnedSides(const PrunedMesh& pruned, const Layout& layout, double maxTurn,
@@ -82,9 +113,17 @@ Layout cutTurnedSides(const PrunedMesh& pruned, const Layout& layout, double max
         goOn(track.halfedges.back());
         goOn(mesh.opposite_halfedge_handle(track.halfedges.front()));
     }
-    if (added.empty()) return layout;
-    std::ranges::move(added, std::back_inserter(tracks));
-    return buildLayout(mesh, tracks, pruned.dihedralAngles, pruned.edgeCosts);
+    return withAdded(pruned, layout, std::move(tracks), std::move(added));
+}
+
+Layout cutTurnedOutlines(const PrunedMesh& pruned, const Layout& layout, double maxTurn,
+                         const std::vector<EdgeId>& forbidden) {
+    std::vector<Track> tracks = properTracks(layout), added;
+    Corners corners(pruned.mesh, tracks, pruned.dihedralAngles, forbidden);
+    for (const VertexId vertex : pruned.mesh.vertices())
+        if (const auto path = corners.pathFrom(vertex, maxTurn); !path.empty())
+            added.push_back(trackOf(pruned.mesh, path, pruned.edgeCosts));
+    return withAdded(pruned, layout, std::move(tracks), std::move(added));
 }
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Corners of sharp edges inside a side of a segment (docs/METHOD.md#pruning, smoothness).
+/// \file Corners of sharp edges, or of the mesh boundary, in a side of a segment (docs/METHOD.md#pruning).
 #pragma once
 
 #include "layout/layout.h"
@@ -16,5 +16,10 @@ namespace qm {
 /// \param forbidden  edges over which no track goes on
 [[nodiscard]] Layout cutTurnedSides(const PrunedMesh& pruned, const Layout& layout, double maxTurn,
                                     const std::vector<EdgeId>& forbidden = {});
+
+/// The same where the mesh boundary turns at a vertex of two quads: a track goes from there to the next
+/// border. A boundary that turns about as much at its next vertices is round, and stays.
+[[nodiscard]] Layout cutTurnedOutlines(const PrunedMesh& pruned, const Layout& layout, double maxTurn,
+                                       const std::vector<EdgeId>& forbidden = {});
 
 } // namespace qm

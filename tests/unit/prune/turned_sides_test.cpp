@@ -93,6 +93,49 @@ TEST(TurnedSides, WhatIsNoCornerOfTracksStays) {
     EXPECT_EQ(pathsAfter(corner(90), {{2, 7, 12, 17, 22}, {10, 11, 12}}, 35).size(), 2U);
 }
 
+// A flat frame of two rings of quads: vertex 4 k is a corner of the outline, 12 + 4 k and 24 + 4 k are
+// inside.
+QuadMesh frame(double cornerTurn) {
+    std::vector<std::array<double, 3>> points;
+    std::vector<std::array<int, 4>> quads;
+    const double half = cornerTurn * std::numbers::pi / 360;
+    for (int ring = 0; ring < 3; ++ring)
+        for (int k = 0; k < 12; ++k) {
+            // Three edges a side; their inner vertices bulge where the corners turn by less than 90 degrees.
+            const int corner = k / 3;
+            const double along = k % 3 * 2.0 / 3 - 1,
+                         out = 1 + (k % 3 > 0 ? std::tan(std::numbers::pi / 4 - half) * 2 / 3 : 0);
+            const double turn = corner * std::numbers::pi / 2, size = 1 - 0.3 * ring;
+            points.push_back({size * (std::cos(turn) * along + std::sin(turn) * out),
+                              size * (std::sin(turn) * along - std::cos(turn) * out), 0});
+        }
+    for (int ring = 0; ring < 2; ++ring)
+        for (int k = 0; k < 12; ++k) {
+            const int next = (k + 1) % 12;
+            quads.push_back({12 * ring + k, 12 * ring + next, 12 * ring + 12 + next, 12 * ring + 12 + k});
+        }
+    return quadMesh({points, quads});
+}
+
+TEST(TurnedSides, CornersOfAnOutlineGetTracksToTheNextBorder) {
+    const auto pathsIn = [](const QuadMesh& mesh, double maxTurn) {
+        const std::vector<double> angles = dihedralAngles(mesh);
+        const PerEdge costs(mesh, 1);
+        const Layout layout =
+            cutTurnedOutlines({mesh, {}, angles, costs}, buildLayout(mesh, {}, angles, costs), maxTurn);
+        EXPECT_EQ(layoutFault(mesh, layout), "");
+        std::vector<Path> result;
+        for (const Track& track : properTracks(layout))
+            result.push_back(pathOf(mesh, track));
+        return result;
+    };
+    const Path anywhere{1, 13, 25}; // the line that makes an annulus a segment
+    EXPECT_EQ(pathsIn(frame(90), 35),
+              (std::vector<Path>{anywhere, {0, 12, 24}, {3, 15, 27}, {6, 18, 30}, {9, 21, 33}}));
+    EXPECT_EQ(pathsIn(frame(90), 91), std::vector<Path>{anywhere});
+    EXPECT_EQ(pathsIn(frame(30), 20), std::vector<Path>{anywhere}) << "a circle of twelve edges";
+}
+
 TEST(TurnedSides, PruningKeepsTheTracksUnlessSidesNeedNotBeSmooth) {
     const QuadMesh mesh = corner(90);
     const std::vector<double> angles = dihedralAngles(mesh);
