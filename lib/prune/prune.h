@@ -26,7 +26,8 @@ struct PruneOptions {
     /// Smallest angle, in degrees, of a corner beside a side that passes straight through an extraordinary
     /// vertex.
     double minCorner = 25;
-    /// Degrees: where a track ends on a line of sharp edges that turns by more, it is continued first.
+    /// Degrees: where a track ends on a line of sharp edges that turns by more, it is continued first, and
+    /// where the mesh boundary turns by more at a vertex of two quads, a track is started.
     double maxSharpTurn = 35;
     double beta = 1; ///< optimum: price of a segment
     /// Optimum: minimises the number of segments first and G_T second; beta is not used.
@@ -51,7 +52,7 @@ struct FrontPoint {
 
 struct PruneResult {
     Layout layout;
-    std::size_t addedTracks = 0;          ///< from corners of sharp edges, before anything is removed
+    std::size_t addedTracks = 0;          ///< from corners of sharp edges and of the boundary, at first
     std::size_t removedTracks = 0;        ///< greedy, which removes whole tracks; likewise below
     std::size_t keptNotQuadrilateral = 0; ///< candidates kept because a segment would lose its four corners
     std::size_t keptNotSmooth = 0;        ///< candidates kept because of the smoothness criterion

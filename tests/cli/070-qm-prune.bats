@@ -54,6 +54,35 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
+# A flat square frame of two rings of twelve quads, without extraordinary vertices.
+write_frame() {
+    awk 'BEGIN {
+        for (ring = 0; ring < 3; ++ring)
+            for (k = 0; k < 12; ++k) {
+                along = (k % 3 * 2 / 3 - 1) * (1 - .3 * ring); out = 1 - .3 * ring; side = int(k / 3)
+                x = side == 0 ? along : side == 1 ? out : side == 2 ? -along : -out
+                y = side == 0 ? -out : side == 1 ? along : side == 2 ? out : -along
+                print "v", x, y, 0
+            }
+        for (ring = 0; ring < 2; ++ring)
+            for (k = 0; k < 12; ++k) {
+                next_one = (k + 1) % 12; first = 12 * ring + 1
+                print "f", first + k, first + next_one, first + 12 + next_one, first + 12 + k
+            }
+    }'
+}
+
+@test "corners of an outline become corners of segments, and qm-check accepts" {
+    write_frame >frame.obj
+    qm-basecomplex -q frame.obj | qm-features -q | qm-cut -q | qm-enum -q | qm-merge -q >frame.json
+    quietly qm-prune frame.json -o out.json
+    # Four corners, and the one line somewhere that makes the ring a segment.
+    is '.layout.segments | length == 5'
+    quietly qm-check out.json
+    quietly qm-prune --max-sharp-turn 180 frame.json -o out.json
+    is '.layout.segments | length == 1'
+}
+
 @test "pruning what is pruned removes nothing more" {
     prune block
     cp out.json pruned.json
