@@ -260,9 +260,8 @@ TEST(PruneProperty, TheOptimumIsNeverWorseThanGreedyRemovalAndCountsItsSegments)
                 PruneOptions greedy;
                 greedy.eta = -beta;
                 greedy.smooth = smooth;
-                const Layout removed = pruneLayout({drawn->mesh, drawn->complex, drawn->angles, drawn->costs},
-                                                   drawn->layout, greedy)
-                                           .layout;
+                // Both after the same tracks from corners were added.
+                const Layout removed = pruneCase(*drawn, drawn->layout, greedy).layout;
                 const PruneResult best = pruneCase(*drawn, drawn->layout, optimum(beta, smooth));
                 EXPECT_LE(objective(best.layout, beta), objective(removed, beta) + 1e-6) << "case " << number;
                 EXPECT_GE(objective(best.layout, beta), *best.objectiveBound - 1e-6) << "case " << number;
