@@ -117,7 +117,7 @@ hard() {
     input=$(hard)
     for signal in INT TERM; do
         # timeout sends its signal to the tool and once more to its group.
-        run -3 --separate-stderr timeout --preserve-status -s "$signal" 6 qm-merge --improve 600 "$input" -o "$signal.json"
+        run -3 --separate-stderr timeout --preserve-status -s "$signal" 4 qm-merge --improve 600 "$input" -o "$signal.json"
         assert_regex "$stderr" 'interrupted'
         quietly qm-check "$signal.json"
     done
@@ -138,7 +138,7 @@ hard() {
 
 @test "what is known is said every few seconds" {
     input=$(hard)
-    run -0 --separate-stderr qm-merge --improve 8 "$input" -o out.json
+    run -0 --separate-stderr qm-merge --improve 5 "$input" -o out.json
     assert_regex "$stderr" 'qm-merge: cost -?[0-9.]+, (no bound yet|at least -?[0-9.]+, gap [0-9.]+)'
     run -0 --separate-stderr qm-merge --quiet --improve 4 "$input" -o out.json
     assert_equal "$stderr" ''

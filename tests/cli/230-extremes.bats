@@ -47,7 +47,7 @@ survives() {
 }
 
 @test "command lines made at random give a result or a clear error, and nothing but what was asked for" {
-    JOBS=1 QM_BIN=$QM_BIN run "$ROOT/tests/faults/options" "$PWD/lines" 30 1
+    JOBS=1 QM_BIN=$QM_BIN run "$ROOT/tests/faults/options" "$PWD/lines" 20 1
     assert_success
 }
 
