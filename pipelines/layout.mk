@@ -114,9 +114,8 @@ endef
 # Make takes the words of a target for several files.
 require_one_word = $(if $(word 2,$*),$(error $*: targets have no blanks. Write underscores: $(subst $(empty) $(empty),_,$*)))
 
-# $(call stamp,ending,STAGE): the options of the last run, written when they change. Make itself compares them, without a
-# process for each stage of each model.
-.SECONDEXPANSION:
+# $(call stamp,ending,STAGE): the options of the last run, written when they change. Make itself compares them, when it
+# expands prerequisites for the second time, without a process for each stage of each model.
 define stamp
 $(OUT)/.stages/%.$(1).options: $$$$(require_one_word)$$$$(call force_if_other,$$$$@,$$$$(call options,$(2),$$$$*))
 	@mkdir -p $$(@D) $$(dir $(OUT)/$$*)
@@ -165,6 +164,7 @@ $(eval $(call stage,html,HTML,qm-view,$(OUT)/%.surfaces.json,-o,))
 $(eval $(call stage,png,PNG,qm-view,$(OUT)/%.surfaces.json,--png,))
 $(eval $(call stage,summary.json,SUMMARY,qm-summary --json --quiet,$(OUT)/%.surfaces.json,-o,))
 
+.SECONDEXPANSION:
 $(eval $(call stamp,quads.obj,QUADS))
 $(eval $(call stamp,basecomplex.json,BASECOMPLEX))
 $(eval $(call stamp,features.json,FEATURES))

@@ -16,11 +16,25 @@ namespace {
 
 constexpr const char* tracksPlace = "/layout/tracks";
 
+/// By vertex: its component if the tracks there must be one whole line together, else -1. In open components,
+/// pruning also draws tracks from corners of the boundary.
+std::vector<int> componentsOfOneLine(const Neighbourhoods& around, const LineNetwork& network,
+                                     bool isPruned) {
+    std::vector<int> component = sourcelessComponents(around, network);
+    if (!isPruned) return component;
+    std::unordered_set<int> open;
+    for (int step = 0; step < around.steps(); ++step)
+        if (around.boundary(step)) open.insert(component[at(around.from(step))]);
+    for (int& lowest : component)
+        if (open.contains(lowest)) lowest = -1;
+    return component;
+}
+
 class LayoutCheck {
 public:
     LayoutCheck(const Context& context, const LineNetwork& network, const LayoutPart& part, Report& report)
         : context_(context), around_(context.around), network_(network), part_(part), report_(report),
-          sourceless_(sourcelessComponents(around_, network)), onTrack_(at(around_.edges()), 0) {}
+          ofOneLine_(componentsOfOneLine(around_, network, part.pruned)), onTrack_(at(around_.edges()), 0) {}
 
     void run() {
         auto tracks = readTracks(around_, part_.tracks, tracksPlace, report_);
@@ -33,13 +47,10 @@ public:
             std::stable_partition(tracks.begin(), tracks.end(),
                                   [&](const ReadTrack& t) { return part_.tracks[t.rank].transversal; });
         const std::span transversals(tracks.begin(), notTransversal);
-        // Pruning also draws tracks from corners of the boundary, where no particle starts.
-        const auto ordinary =
-            part_.pruned ? notTransversal
-                         : std::stable_partition(notTransversal, tracks.end(), [&](const ReadTrack& t) {
-                               return sourceless_[at(around_.from(t.steps.front()))] >= 0;
-                           });
-        checkWholeLines(around_, sourceless_, std::span(notTransversal, ordinary), tracksPlace, report_);
+        const auto ordinary = std::stable_partition(notTransversal, tracks.end(), [&](const ReadTrack& t) {
+            return ofOneLine_[at(around_.from(t.steps.front()))] >= 0;
+        });
+        checkWholeLines(around_, ofOneLine_, std::span(notTransversal, ordinary), tracksPlace, report_);
         particles(std::span(ordinary, tracks.end()));
         checkTransversals(around_, tracks, transversals, tracksPlace, report_);
         constraints(std::span(notTransversal, tracks.end()));
@@ -123,8 +134,8 @@ private:
     const LineNetwork& network_;
     const LayoutPart& part_;
     Report& report_;
-    std::vector<int> sourceless_; ///< by vertex
-    std::vector<char> onTrack_;   ///< by edge
+    std::vector<int> ofOneLine_; ///< by vertex
+    std::vector<char> onTrack_;  ///< by edge
 };
 
 } // namespace

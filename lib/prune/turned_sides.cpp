@@ -32,7 +32,7 @@ public:
             !isSharpBorder(right))
             return {};
         const double turn = turnBetween(mesh_, left, right);
-        if (turn <= maxTurn || isRound(left, right, turn)) return {};
+        if (turn <= maxTurn || isRound(turnAfter(left), turnAfter(right), turn)) return {};
         return toNextBorder(std::move(path));
     }
 
@@ -42,11 +42,10 @@ public:
         if (!mesh_.is_boundary(corner) || mesh_.valence(corner) != 3) return {};
         const HalfedgeId onward = mesh_.halfedge_handle(corner); // on the boundary
         const HalfedgeId inner = mesh_.cw_rotated_halfedge_handle(onward);
-        const HalfedgeId back = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(onward));
-        const double turn = turnBetween(mesh_, onward, back);
+        const double turn = boundaryTurn(corner);
         if (turn <= maxTurn || borders_.isBorder(inner)) return {};
-        const double next = boundaryTurn(mesh_.to_vertex_handle(onward));
-        if (std::min(next, boundaryTurn(mesh_.to_vertex_handle(back))) > roundLine * turn) return {};
+        const double before = boundaryTurn(mesh_.from_vertex_handle(mesh_.prev_halfedge_handle(onward)));
+        if (isRound(before, boundaryTurn(mesh_.to_vertex_handle(onward)), turn)) return {};
         return toNextBorder({inner});
     }
 
@@ -74,8 +73,8 @@ private:
     }
 
     /// Whether a line turns about as much at its next vertices on both sides, like a coarse circle.
-    [[nodiscard]] bool isRound(HalfedgeId left, HalfedgeId right, double turn) const {
-        return std::min(turnAfter(left), turnAfter(right)) > roundLine * turn;
+    static bool isRound(double before, double after, double turn) {
+        return std::min(before, after) > roundLine * turn;
     }
 
     /// The turn of a line at the end of a halfedge, degrees; 0 where the line ends.

@@ -337,6 +337,12 @@ INSTANTIATE_TEST_SUITE_P(LayoutTransversals, SpoiltDocument,
                          ::testing::Values(Spoilt{"wholeLine", torusModel,
                                                   [](Doc& d) { layout(d).tracks[0].vertices.pop_back(); },
                                                   "/layout/tracks/0", "whole line"},
+                                           Spoilt{"wholeLinePruned", torusModel,
+                                                  [](Doc& d) {
+                                                      layout(d).pruned = true;
+                                                      layout(d).tracks[0].vertices.pop_back();
+                                                  },
+                                                  "/layout/tracks/0", "whole line"},
                                            Spoilt{"transversalBend", torusModel,
                                                   [](Doc& d) {
                                                       auto& vertices = layout(d).tracks[1].vertices;
