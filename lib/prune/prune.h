@@ -26,8 +26,8 @@ struct PruneOptions {
     /// Smallest angle, in degrees, of a corner beside a side that passes straight through an extraordinary
     /// vertex.
     double minCorner = 25;
-    /// Degrees: where a track ends on a line of sharp edges that turns by more, it is continued first, and
-    /// where the mesh boundary turns by more at a vertex of two quads, a track is started.
+    /// Degrees: where a track ends on a line of sharp edges that turns by more, it is continued first. At
+    /// 180, or without the smoothness criterion, no tracks are added at all, see `prune`.
     double maxSharpTurn = 35;
     double beta = 1; ///< optimum: price of a segment
     /// Optimum: minimises the number of segments first and G_T second; beta is not used.
@@ -52,15 +52,16 @@ struct FrontPoint {
 
 struct PruneResult {
     Layout layout;
-    std::size_t addedTracks = 0;          ///< from corners of sharp edges and of the boundary, at first
+    std::size_t addedTracks = 0;          ///< see `prune`
     std::size_t removedTracks = 0;        ///< greedy, which removes whole tracks; likewise below
     std::size_t keptNotQuadrilateral = 0; ///< candidates kept because a segment would lose its four corners
     std::size_t keptNotSmooth = 0;        ///< candidates kept because of the smoothness criterion
-    /// Optimum: no layout has a lower G_T + beta * segments. If the number of segments is limited, a bound of
-    /// G_T; if it is minimised, a bound of the number.
-    std::optional<double> objectiveBound;
-    bool proven = false;           ///< optimum: whether the layout attains the bound
-    std::vector<FrontPoint> front; ///< if asked for
+    /// Optimum: G_T + beta * segments. If the number of segments is limited, G_T; if it is minimised, the
+    /// number. Of the layout to which no tracks were added yet.
+    std::optional<double> objective;
+    std::optional<double> objectiveBound; ///< optimum: of no layout is the objective lower
+    bool proven = false;                  ///< optimum: whether the objective attains the bound
+    std::vector<FrontPoint> front;        ///< if asked for
 };
 
 /// Greedy: candidates in decreasing order of cost, ties by id; a track is removed if every segment stays a

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "layout/quality.h"
 #include "prune/pruning_search.h"
+#include "prune/rounded_edges.h"
 #include "prune/turned_sides.h"
 
 #include <algorithm>
@@ -20,9 +21,14 @@ struct FrontTuning {
 PruneResult resultOf(const PruningSearch& search, const PruningSearch::Found& found) {
     PruneResult result;
     result.layout = search.layoutOf(found.values);
+    result.objective = result.layout.cost;
     result.objectiveBound = found.lowerBound;
     result.proven = found.proven;
     return result;
+}
+
+double segmentsOf(const Layout& layout) {
+    return static_cast<double>(layout.segments.size());
 }
 
 /// As few segments as can be, then the lowest G_T with no more than that.
@@ -32,6 +38,7 @@ PruneResult pruneToFewest(PruningSearch& search, double seconds, const Control& 
     PruneResult result =
         resultOf(search, search.findCheapest({0, search.segments(fewest.values)}, end.secondsLeft()));
     result.proven = result.proven && fewest.proven;
+    result.objective = segmentsOf(result.layout);
     result.objectiveBound = fewest.lowerBound;
     return result;
 }
@@ -41,7 +48,9 @@ PruneResult pruneToOptimum(PruningSearch& search, const PruneOptions& options, d
     if (options.fewestPatches) return pruneToFewest(search, seconds, control);
     PruningAim aim{options.beta};
     if (std::isfinite(options.maxSegments)) aim = {0, options.maxSegments};
-    return resultOf(search, search.findCheapest(aim, seconds));
+    PruneResult result = resultOf(search, search.findCheapest(aim, seconds));
+    *result.objective += aim.beta * segmentsOf(result.layout);
+    return result;
 }
 
 /// Layouts for a range of prices, from many segments to few.
@@ -87,11 +96,20 @@ PruneResult prune(const PrunedMesh& pruned, const Layout& layout, const PruneOpt
     if (!options.smooth || options.maxSharpTurn >= halfTurn)
         return pruneFrom(layout, pruned, options, rho, control);
     const auto& forbidden = options.constraints.forbidden;
-    const Layout cut =
-        cutTurnedOutlines(pruned, cutTurnedSides(pruned, layout, options.maxSharpTurn, forbidden),
-                          options.maxSharpTurn, forbidden);
-    PruneResult result = pruneFrom(cut, pruned, options, rho, control);
-    result.addedTracks = properTracks(cut).size() - properTracks(layout).size();
+    const bool isGreedy = options.method == PruneMethod::greedy;
+    AddedTracks before(pruned, layout, forbidden);
+    cutTurnedSides(pruned, options.maxSharpTurn, before);
+    if (isGreedy) cutTurnedOutlines(pruned.mesh, options.maxSharpTurn, before);
+    PruneResult result =
+        pruneFrom(before.count() > 0 ? before.layout() : layout, pruned, options, rho, control);
+    result.addedTracks = before.count();
+    if (!isGreedy && (options.fewestPatches || std::isfinite(options.maxSegments))) return result;
+    AddedTracks after(pruned, result.layout, forbidden);
+    if (!isGreedy) // which knows no tracks off the base complex
+        cutTurnedOutlines(pruned.mesh, options.maxSharpTurn, after);
+    cutAlongRoundedEdges(pruned, after);
+    if (after.count() > 0) result.layout = after.layout();
+    result.addedTracks += after.count();
     return result;
 }
 

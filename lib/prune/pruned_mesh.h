@@ -10,7 +10,7 @@ namespace qm {
 /// Everything here must outlive it.
 struct PrunedMesh {
     const QuadMesh& mesh;
-    const BaseComplex& complex;                ///< with the feature seeds; for the optimum alone
+    const BaseComplex& complex;                ///< with the feature seeds
     const std::vector<double>& dihedralAngles; ///< by edge, radians
     const std::vector<double>& edgeCosts;      ///< by edge
 };

@@ -79,6 +79,10 @@ write_frame() {
     # Four corners, and the one line somewhere that makes the ring a segment.
     is '.layout.segments | length == 5'
     quietly qm-check out.json
+    quietly qm-prune --method optimum frame.json -o out.json
+    is '.layout.segments | length == 5'
+    is '.layout.prune.proven'
+    quietly qm-check out.json
     quietly qm-prune --max-sharp-turn 180 frame.json -o out.json
     is '.layout.segments | length == 1'
 }

@@ -4,11 +4,15 @@
 #include "base/infinity.h"
 #include "basecomplex/arc_graph.h"
 #include "enumerate/paper/plain_graph.h"
+#include "layout/borders.h"
+#include "mesh/bounding_box.h"
 #include "mesh/dihedral.h"
+#include "mesh/quad_geometry.h"
 #include "program/neighbourhood_search.h"
 #include "program/solve_program.h"
 #include "prune/prune_optimum.h"
 #include "prune/vertex_room.h"
+#include "support/layout_fault.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 
@@ -55,6 +59,7 @@ PruneOptions optimum(double beta, bool smooth) {
     options.method = PruneMethod::optimum;
     options.beta = beta;
     options.smooth = smooth;
+    options.maxSharpTurn = 180; // adds no tracks, which no search has chosen
     return options;
 }
 
@@ -260,7 +265,7 @@ TEST(PruneProperty, TheOptimumIsNeverWorseThanGreedyRemovalAndCountsItsSegments)
                 PruneOptions greedy;
                 greedy.eta = -beta;
                 greedy.smooth = smooth;
-                // Both after the same tracks from corners were added.
+                greedy.maxSharpTurn = 180;
                 const Layout removed = pruneCase(*drawn, drawn->layout, greedy).layout;
                 const PruneResult best = pruneCase(*drawn, drawn->layout, optimum(beta, smooth));
                 EXPECT_LE(objective(best.layout, beta), objective(removed, beta) + 1e-6) << "case " << number;
@@ -274,6 +279,44 @@ TEST(PruneProperty, TheOptimumIsNeverWorseThanGreedyRemovalAndCountsItsSegments)
                 }
             }
     }
+}
+
+/// Whether an edge belongs to no round part, and rounding moves the surface by more than 0.1% of the
+/// diagonal.
+bool wouldBeRoundedOff(const QuadMesh& mesh, const std::vector<double>& angles, EdgeId edge) {
+    double width = infinity;
+    if (mesh.is_boundary(edge)) return false;
+    for (const unsigned side : {0U, 1U}) {
+        const HalfedgeId halfedge = mesh.halfedge_handle(edge, side);
+        if (isFolded(mesh, mesh.face_handle(halfedge))) return false;
+        width = std::min(width, (mesh.calc_edge_length(mesh.next_halfedge_handle(halfedge)) +
+                                 mesh.calc_edge_length(mesh.prev_halfedge_handle(halfedge))) /
+                                    2);
+    }
+    const double angle = angles[static_cast<std::size_t>(edge.idx())];
+    return angle > 1.2 && width * angle / 8 > 0.001 * boundingBox(mesh).diagonal();
+}
+
+TEST(PruneProperty, NoEdgeThatWouldBeRoundedOffIsInsideASegment) {
+    std::size_t added = 0;
+    for (unsigned number = 0; number < 60; ++number) {
+        auto drawn = drawCase(number, 6);
+        if (!drawn || drawn->complex.separatrices.empty()) continue;
+        for (double& angle : drawn->angles)
+            angle *= 1.5;
+        for (const PruneMethod method : {PruneMethod::greedy, PruneMethod::optimum}) {
+            PruneOptions options;
+            options.method = method;
+            const PruneResult pruned = pruneCase(*drawn, drawn->layout, options);
+            added += pruned.addedTracks;
+            EXPECT_EQ(layoutFault(drawn->mesh, pruned.layout), "") << "case " << number;
+            const Borders borders(drawn->mesh, properTracks(pruned.layout));
+            for (const EdgeId edge : drawn->mesh.edges())
+                EXPECT_TRUE(borders.isBorder(edge) || !wouldBeRoundedOff(drawn->mesh, drawn->angles, edge))
+                    << "case " << number << ", edge " << edge.idx();
+        }
+    }
+    EXPECT_GT(added, 50U);
 }
 
 TEST(PruneProperty, WhatIsPrunedCanBePrunedToTheOptimum) {

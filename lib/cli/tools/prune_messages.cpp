@@ -9,12 +9,6 @@ namespace qm {
 
 namespace {
 
-double objectiveOf(const PruneOptions& options, const Layout& layout) {
-    const auto segments = static_cast<double>(layout.segments.size());
-    if (options.fewestPatches) return segments;
-    return layout.cost + (std::isfinite(options.maxSegments) ? 0 : options.beta * segments);
-}
-
 /// By how much a layout may be above the best, with three decimals, which suffice to judge it.
 std::string distanceText(double objective, double bound) {
     constexpr double digits = 1000;
@@ -22,10 +16,9 @@ std::string distanceText(double objective, double bound) {
 }
 
 std::string openQuestion(const PruneOptions& options, const PruneResult& pruned) {
-    const double objective = objectiveOf(options, pruned.layout);
-    if (options.fewestPatches && objective <= *pruned.objectiveBound)
+    if (options.fewestPatches && *pruned.objective <= *pruned.objectiveBound)
         return "no layout has fewer segments, but one of as many may cost less";
-    return "the layout is " + distanceText(objective, *pruned.objectiveBound);
+    return "the layout is " + distanceText(*pruned.objective, *pruned.objectiveBound);
 }
 
 } // namespace

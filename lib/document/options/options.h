@@ -161,8 +161,8 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
            "extraordinary vertex, in degrees; 0 as in the paper");
     option("max-sharp-turn", options.maxSharpTurn, Range{0, 180},
            "where sharp edges, or the mesh boundary, turn inside a side by more than this angle, in degrees, "
-           "a track from there to the next boundary is added first, as no smooth surface has a corner "
-           "inside a side; 180 as in the paper");
+           "a track from there to the next boundary is added, as no smooth surface has a corner inside a "
+           "side; with 180, as in the paper, none is added along sharp edges inside segments either");
     option("beta", options.beta, Range{0, highestPrice}, "with --method optimum: the price of a segment");
     option("fewest-patches", options.fewestPatches, Range{},
            "with --method optimum: minimise the number of segments first, then G_T");

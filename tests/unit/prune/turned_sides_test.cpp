@@ -49,8 +49,10 @@ std::vector<Path> pathsAfter(const QuadMesh& mesh, const std::vector<Path>& path
     std::vector<Track> tracks;
     for (const Path& path : paths)
         tracks.push_back(trackAlong(mesh, path, 1));
-    const Layout layout =
-        cutTurnedSides({mesh, {}, angles, costs}, buildLayout(mesh, tracks, angles, costs), maxTurn);
+    const PrunedMesh pruned{mesh, {}, angles, costs};
+    AddedTracks added(pruned, buildLayout(mesh, tracks, angles, costs), {});
+    cutTurnedSides(pruned, maxTurn, added);
+    const Layout layout = added.layout();
     EXPECT_EQ(layoutFault(mesh, layout), "");
     std::vector<Path> result;
     for (const Track& track : properTracks(layout))
@@ -121,8 +123,10 @@ TEST(TurnedSides, CornersOfAnOutlineGetTracksToTheNextBorder) {
     const auto pathsIn = [](const QuadMesh& mesh, double maxTurn) {
         const std::vector<double> angles = dihedralAngles(mesh);
         const PerEdge costs(mesh, 1);
-        const Layout layout =
-            cutTurnedOutlines({mesh, {}, angles, costs}, buildLayout(mesh, {}, angles, costs), maxTurn);
+        const PrunedMesh pruned{mesh, {}, angles, costs};
+        AddedTracks added(pruned, buildLayout(mesh, {}, angles, costs), {});
+        cutTurnedOutlines(mesh, maxTurn, added);
+        const Layout layout = added.layout();
         EXPECT_EQ(layoutFault(mesh, layout), "");
         std::vector<Path> result;
         for (const Track& track : properTracks(layout))
