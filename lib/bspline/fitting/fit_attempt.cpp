@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/infinity.h"
+#include "bspline/fitting/best_rounds.h"
 #include "bspline/fitting/first_solution.h"
 #include "bspline/fitting/fit_state.h"
 #include "bspline/fitting/planes/flat_patches.h"
@@ -68,19 +69,17 @@ public:
         search(options_.maxRounds, options_.removesKnots ? Saving::tried : Saving::none, control);
         Fitted nearest;
         for (int k = 1;; ++k) {
-            chooseBest();
-            if (hasPlanes()) flattenWhereKept(problem_.verify, options_.slides, planes_, state_, best_);
-            Fitted found{best_, first_, followsNoise()};
+            FitRound& best = best_.choose(problem_.verify);
+            if (hasPlanes()) flattenWhereKept(problem_.verify, options_.slides, planes_, state_, best);
+            Fitted found{best, first_, followsNoise()};
             const bool ends =
                 k > 1 && (isStuckAt(nearest, found) || (!isLast && isAstrayFrom(nearest, found)));
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
             if (ends || nearest.isHopeless() || k == options_.verifications || control.stopRequested())
                 return nearest;
-            state_.restore(best_);
-            if (!state_.tighten(best_)) return nearest;
+            state_.restore(best);
+            if (!state_.tighten(best)) return nearest;
             best_ = {};
-            nearest_ = {};
-            unflattened_ = {};
             search(options_.roundsOfMending, Saving::none, unreported(control));
         }
     }
@@ -96,13 +95,13 @@ private:
             control.progress(static_cast<double>(round) / maxRounds);
             if (round > 0) state_.solveChanged(options_.slides);
             const bool hasBroken = flattenIfKept();
-            past.idle = keepIfBest() ? 0 : past.idle + (hasBroken ? 0 : 1);
+            past.idle = best_.take(state_) ? 0 : past.idle + (hasBroken ? 0 : 1);
             if (past.idle == options_.maxIdle || control.stopRequested() || isInVain(round, past)) break;
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.errors().worst() <= 1) {
                 const bool leavesRepairs = round + maxRepairs <= maxRounds;
                 if (saving == Saving::none || !leavesRepairs || !removeKnots(past)) break;
-            } else if (!best_.score.keeps) {
+            } else if (!best_.keepsTolerance()) {
                 comeNearer(past);
             } else if (!repair(past)) {
                 break;
@@ -124,7 +123,7 @@ private:
 
     /// \return false if that is no longer worth while, or no knot can go
     bool removeKnots(Rounds& past) {
-        const auto count = static_cast<double>(best_.score.controlPoints);
+        const auto count = static_cast<double>(best_.controlPoints());
         if (past.removals++ == maxRemovals || count > worthwhile * past.controlPoints) return false;
         past.controlPoints = count;
         past.repairs = 0;
@@ -160,7 +159,7 @@ private:
         const double growth =
             static_cast<double>(state_.score().controlPoints) / static_cast<double>(first_.controlPoints);
         const double worst = state_.errors().worst();
-        return !best_.score.keeps && worst > 1 &&
+        return !best_.keepsTolerance() && worst > 1 &&
                growth > (2 * worst > first_.worst ? Hopeless::growth : Hopeless::maxGrowth);
     }
 
@@ -178,9 +177,9 @@ private:
     /// \return whether only the planes break the tolerance, and it has not been kept with planes before
     bool flattenIfKept() {
         if (!hasPlanes() || flattenings_ == Flattenings::max || state_.errors().worst() > 1) return false;
-        if (!best_.score.keeps) unflattened_ = state_.round();
+        if (!best_.keepsTolerance()) best_.takeUnflattened(state_);
         state_.flatten(planes_, options_.slides);
-        if (state_.errors().worst() <= 1 || best_.score.keeps) return false;
+        if (state_.errors().worst() <= 1 || best_.keepsTolerance()) return false;
         if (++flattenings_ >= Flattenings::patience)
             dropPlanes(problem_.network.stretches, state_.errors().areMissed(), planes_);
         return true;
@@ -188,33 +187,6 @@ private:
 
     [[nodiscard]] bool hasPlanes() const {
         return std::ranges::any_of(planes_, [](const auto& plane) { return plane.has_value(); });
-    }
-
-    /// The largest distance of a round, in tolerances.
-    double verified(FitRound& round) const {
-        if (round.distances.empty()) round.distances = problem_.verify(round.patches);
-        return std::ranges::max(round.distances);
-    }
-
-    /// \return whether the round is the best so far by either criterion
-    bool keepIfBest() {
-        const RoundScore score = state_.score();
-        const bool isBest = best_.patches.empty() || isBetter(score, best_.score, Criterion::tolerance);
-        const bool isNearest = nearest_.patches.empty() || isBetter(score, nearest_.score, Criterion::errors);
-        if (!isBest && !isNearest) return false;
-        const FitRound round = state_.round();
-        if (isBest) best_ = round;
-        if (isNearest) nearest_ = round;
-        return true;
-    }
-
-    /// Prefers the nearest round to the best if a verification finds it nearer, which the lattices cannot
-    /// tell.
-    void chooseBest() {
-        if (!best_.score.keeps && !unflattened_.patches.empty()) best_ = std::exchange(unflattened_, {});
-        const double ofBest = verified(best_);
-        if (ofBest > 1 && !(nearest_.score == best_.score) && verified(nearest_) < ofBest)
-            best_ = std::move(nearest_);
     }
 
     const FitProblem& problem_;
@@ -225,9 +197,7 @@ private:
     FirstRound first_;
     int flattenings_ = 0; ///< that broke the tolerance
     int rounds_ = 0;      ///< in all searches together
-    FitRound best_;
-    FitRound unflattened_; ///< keeps the tolerance, for want of a round that does so with planes in place
-    FitRound nearest_;     ///< the best if errors that are given up count like all others
+    BestRounds best_;
 };
 
 } // namespace
