@@ -105,8 +105,8 @@ PruneResult prune(const PrunedMesh& pruned, const Layout& layout, const PruneOpt
     result.addedTracks = before.count();
     if (!isGreedy && (options.fewestPatches || std::isfinite(options.maxSegments))) return result;
     AddedTracks after(pruned, result.layout, forbidden);
-    if (!isGreedy) // which knows no tracks off the base complex
-        cutTurnedOutlines(pruned.mesh, options.maxSharpTurn, after);
+    // The optimum knows no tracks off the base complex, so these come after it.
+    if (!isGreedy) cutTurnedOutlines(pruned.mesh, options.maxSharpTurn, after);
     cutAlongRoundedEdges(pruned, after);
     if (after.count() > 0) result.layout = after.layout();
     result.addedTracks += after.count();
