@@ -2,6 +2,8 @@
 
 #include "base/at.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,6 +84,14 @@ std::string layoutFault(const QuadMesh& mesh, const Layout& layout) {
     for (const Track& track : properTracks(layout))
         cost += track.cost;
     return std::abs(cost - layout.cost) < 1e-9 * (1 + std::abs(cost)) ? "" : "wrong cost";
+}
+
+std::vector<Path> soundPaths(const QuadMesh& mesh, const Layout& layout) {
+    EXPECT_EQ(layoutFault(mesh, layout), "");
+    std::vector<Path> paths;
+    for (const Track& track : properTracks(layout))
+        paths.push_back(pathOf(mesh, track));
+    return paths;
 }
 
 } // namespace qm::test

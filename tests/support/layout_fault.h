@@ -2,8 +2,10 @@
 #pragma once
 
 #include "layout/layout.h"
+#include "support/track_along.h"
 
 #include <string>
+#include <vector>
 
 namespace qm::test {
 
@@ -12,5 +14,8 @@ namespace qm::test {
 /// two, segments in the wrong order, and a wrong cost.
 /// \return the first fault; empty if there is none
 [[nodiscard]] std::string layoutFault(const QuadMesh& mesh, const Layout& layout);
+
+/// The vertices of every track but transversals. Expects a layout without faults.
+[[nodiscard]] std::vector<Path> soundPaths(const QuadMesh& mesh, const Layout& layout);
 
 } // namespace qm::test

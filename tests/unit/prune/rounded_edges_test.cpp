@@ -54,12 +54,7 @@ std::vector<Path> pathsAfter(const QuadMesh& mesh, const std::vector<Path>& path
     const PrunedMesh pruned{mesh, none, angles, costs};
     AddedTracks added(pruned, buildLayout(mesh, tracks, angles, costs), forbidden);
     cutAlongRoundedEdges(pruned, added);
-    const Layout layout = added.layout();
-    EXPECT_EQ(layoutFault(mesh, layout), "");
-    std::vector<Path> result;
-    for (const Track& track : properTracks(layout))
-        result.push_back(pathOf(mesh, track));
-    return result;
+    return soundPaths(mesh, added.layout());
 }
 
 const Path fold{2, 7, 12, 17, 22};

@@ -52,12 +52,7 @@ std::vector<Path> pathsAfter(const QuadMesh& mesh, const std::vector<Path>& path
     const PrunedMesh pruned{mesh, {}, angles, costs};
     AddedTracks added(pruned, buildLayout(mesh, tracks, angles, costs), {});
     cutTurnedSides(pruned, maxTurn, added);
-    const Layout layout = added.layout();
-    EXPECT_EQ(layoutFault(mesh, layout), "");
-    std::vector<Path> result;
-    for (const Track& track : properTracks(layout))
-        result.push_back(pathOf(mesh, track));
-    return result;
+    return soundPaths(mesh, added.layout());
 }
 
 TEST(TurnedSides, ACornerOfSharpEdgesGetsATrackToTheNextBorder) {
@@ -126,12 +121,7 @@ TEST(TurnedSides, CornersOfAnOutlineGetTracksToTheNextBorder) {
         const PrunedMesh pruned{mesh, {}, angles, costs};
         AddedTracks added(pruned, buildLayout(mesh, {}, angles, costs), {});
         cutTurnedOutlines(mesh, maxTurn, added);
-        const Layout layout = added.layout();
-        EXPECT_EQ(layoutFault(mesh, layout), "");
-        std::vector<Path> result;
-        for (const Track& track : properTracks(layout))
-            result.push_back(pathOf(mesh, track));
-        return result;
+        return soundPaths(mesh, added.layout());
     };
     const Path anywhere{1, 13, 25}; // the line that makes an annulus a segment
     EXPECT_EQ(pathsIn(frame(90), 35),
