@@ -284,8 +284,8 @@ TEST(PruneProperty, TheOptimumIsNeverWorseThanGreedyRemovalAndCountsItsSegments)
 /// Whether an edge belongs to no round part, and rounding moves the surface by more than 0.1% of the
 /// diagonal.
 bool wouldBeRoundedOff(const QuadMesh& mesh, const std::vector<double>& angles, EdgeId edge) {
-    double width = infinity;
     if (mesh.is_boundary(edge)) return false;
+    double width = infinity;
     for (const unsigned side : {0U, 1U}) {
         const HalfedgeId halfedge = mesh.halfedge_handle(edge, side);
         if (isFolded(mesh, mesh.face_handle(halfedge))) return false;
