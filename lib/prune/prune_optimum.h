@@ -17,7 +17,7 @@ namespace qm {
 /// With the smoothness criterion, and `maxSharpTurn` below 180 degrees, tracks are added where no smooth
 /// surface would do: from corners of sharp edges before anything is removed, and along sharp edges inside
 /// segments afterwards; from corners of the mesh boundary before greedy pruning, after the optimum. Where the
-/// number of segments is limited or minimised, none are added afterwards. A front counts none of these.
+/// number of segments is limited or minimised, none are added afterwards, and a front never counts those.
 /// \param layout  the start, of the same mesh; the optimum is never worse
 /// \throw Error  if it does not obey the constraints, its tracks are not made of arcs, or nothing is found
 /// under a number of segments
