@@ -58,7 +58,7 @@ defines  := -DQM_VERSION='"$(version)"' -DVALIJSON_USE_EXCEPTIONS=1 -DJSON_DIAGN
 defines  += -DBOOST_ALLOW_DEPRECATED_HEADERS
 
 # Headers of libraries are system headers: our warnings are not theirs.
-packages := openmesh eigen3 CLI11 nlohmann_json cbc clp osi-clp libcrypto
+packages := openmesh eigen3 CLI11 nlohmann_json cbc clp osi-clp nettle
 library_paths := $(shell pkg-config --cflags-only-I $(packages) 2>/dev/null | sed 's/-I/-isystem /g') -isystem /usr/include/opencascade
 # --as-needed: a tool depends on a library only if it calls it. OpenCASCADE is for qm-export alone.
 opencascade := TKSTEP TKSTEP209 TKSTEPAttr TKSTEPBase TKIGES TKXSBase TKShHealing TKTopAlgo TKGeomAlgo TKPrim \
