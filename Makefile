@@ -469,9 +469,8 @@ install: all man completion ## install tools, library and headers below DESTDIR 
 	install -m 644 $(O)/completion/zsh $(DESTDIR)$(prefix)/$(zsh_folder)/_quadmesh
 	install -m 644 $(library) $(DESTDIR)$(prefix)/lib
 	printf '%s\n' "$$pkg_config" > $(DESTDIR)$(prefix)/lib/pkgconfig/quadmesh.pc
-	for header in $(public_headers:lib/%=%); do \
-	    install -D -m 644 lib/$$header $(DESTDIR)$(prefix)/include/quadmesh/$$header; \
-	done
+	cd lib && cp --parents --no-preserve=all $(public_headers:lib/%=%) $(abspath $(DESTDIR)$(prefix))/include/quadmesh
+	chmod -R u=rwX,go=rX $(DESTDIR)$(prefix)/include/quadmesh
 	install -D -m 644 -t $(DESTDIR)$(prefix)/share/quadmesh/schemas $(schemas)
 	install -D -m 644 -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines pipelines/layout.mk pipelines/report.html
 	install -D -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines $(addprefix pipelines/,layout.sh slurm run-stage find-meshes report)
