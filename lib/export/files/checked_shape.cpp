@@ -13,13 +13,22 @@
 namespace qm {
 namespace {
 
-CheckedShape checked(Boundary boundary, const FaceOrigins& origins) {
+/// What every step ends with.
+using Judge = CheckedShape (*)(Boundary, const FaceOrigins&);
+
+/// Takes for granted that there are no faults, and builds no shape.
+CheckedShape trusted(Boundary boundary, const FaceOrigins& origins) {
     orderFaces(boundary);
-    CheckedShape made{std::move(boundary), origins, {}};
+    CheckedShape made{std::move(boundary), origins, {}, true};
+    made.isFaceSound.assign(made.boundary.faces.size(), true);
+    return made;
+}
+
+CheckedShape checked(Boundary boundary, const FaceOrigins& origins) {
+    CheckedShape made = trusted(std::move(boundary), origins);
     made.shape = buildShape(made.boundary);
     const BRepCheck_Analyzer check(made.shape.shape, Standard_True, Standard_True);
     made.isValid = check.IsValid();
-    made.isFaceSound.assign(made.shape.faces.size(), true);
     if (!made.isValid)
         for (const BoundaryPart& part : made.boundary.parts)
             for (const std::size_t face : part.faces) {
@@ -57,13 +66,13 @@ Blame blameOf(const CheckedShape& made) {
 /// The same with merged faces, except where OpenCASCADE does not take them: where the outline of a merged
 /// face crosses itself, for instance around quads that are turned over within a plane, the faces there stay
 /// apart.
-CheckedShape withMergedFaces(const CheckedShape& shape, MergedSurface kind) {
+CheckedShape withMergedFaces(const CheckedShape& shape, MergedSurface kind, Judge judge) {
     std::vector<bool> mayMerge(shape.boundary.faces.size(), true);
     for (int trial = 0;; ++trial) {
         Boundary boundary = shape.boundary;
         FaceOrigins origins = shape.origins;
         if (!mergeFaces(boundary, origins, kind, mayMerge)) return shape;
-        CheckedShape made = checked(std::move(boundary), origins);
+        CheckedShape made = judge(std::move(boundary), origins);
         if (made.isSound() || !shape.isSound()) return made;
         const Blame blame = blameOf(made);
         const auto isThere = [&](std::size_t f) {
@@ -87,18 +96,18 @@ CheckedShape withMergedFaces(const CheckedShape& shape, MergedSurface kind) {
 
 /// The same with edges changed, if OpenCASCADE takes that.
 /// \param change  whether it has changed anything
-CheckedShape withEdges(CheckedShape shape, bool (*change)(Boundary&)) {
+CheckedShape withEdges(CheckedShape shape, bool (*change)(Boundary&), Judge judge) {
     Boundary boundary = shape.boundary;
     if (!change(boundary)) return shape;
-    CheckedShape made = checked(std::move(boundary), shape.origins);
+    CheckedShape made = judge(std::move(boundary), shape.origins);
     return made.isSound() || !shape.isSound() ? made : shape;
 }
 
 /// With as many simple surfaces as OpenCASCADE takes.
-CheckedShape simplified(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
+CheckedShape simplified(const QuadMesh& mesh, const FacePatches& faces, double simplify, Judge judge) {
     std::vector<double> simplifyFace(faces.patches.size(), simplify);
     while (true) {
-        CheckedShape made = checked(makeBoundary(mesh, faces, simplifyFace), faces.origins);
+        CheckedShape made = judge(makeBoundary(mesh, faces, simplifyFace), faces.origins);
         if (made.isSound()) return made;
         bool changed = false;
         for (std::size_t f = 0; f < simplifyFace.size(); ++f)
@@ -110,6 +119,22 @@ CheckedShape simplified(const QuadMesh& mesh, const FacePatches& faces, double s
     }
 }
 
+/// With faces and edges merged and divided.
+CheckedShape finished(CheckedShape made, bool simplify, bool join, Judge judge) {
+    if (join) {
+        for (const MergedSurface kind : {MergedSurface::plane, MergedSurface::ruled})
+            made = withMergedFaces(made, kind, judge);
+        made = withEdges(std::move(made), mergeEdges, judge);
+    }
+    made = withEdges(std::move(made), divideTwistedEdges, judge);
+    return simplify ? withEdges(std::move(made), divideLooseEdges, judge) : made;
+}
+
+/// Checked, if it is not yet.
+CheckedShape surely(CheckedShape shape) {
+    return shape.shape.faces.empty() ? checked(std::move(shape.boundary), shape.origins) : shape;
+}
+
 } // namespace
 
 bool CheckedShape::isSound() const {
@@ -118,14 +143,12 @@ bool CheckedShape::isSound() const {
 
 CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, std::optional<double> simplify,
                           bool join) {
-    CheckedShape made = simplified(mesh, faces, simplify.value_or(0));
-    if (join) {
-        for (const MergedSurface kind : {MergedSurface::plane, MergedSurface::ruled})
-            made = withMergedFaces(made, kind);
-        made = withEdges(std::move(made), mergeEdges);
-    }
-    made = withEdges(std::move(made), divideTwistedEdges);
-    return simplify ? withEdges(std::move(made), divideLooseEdges) : made;
+    const bool tries = simplify.has_value();
+    const CheckedShape plain = simplified(mesh, faces, simplify.value_or(0), tries ? checked : trusted);
+    // OpenCASCADE's check takes most of the time, and most shapes have no faults: one check of the last step
+    // is enough for them.
+    CheckedShape made = surely(finished(plain, tries, join, trusted));
+    return made.isSound() ? made : finished(surely(plain), tries, join, checked);
 }
 
 } // namespace qm
