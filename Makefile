@@ -53,7 +53,7 @@ quietly = $(if $(V),,@printf '%9s  %s\n' $(1) $(2) &&)
 warnings := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 # With sanitizers GCC 12 takes initialised temporaries of the standard library for uninitialised.
 warnings += $(if $(unrolled),$(if $(filter sanitize tsan,$(config)),-Wno-maybe-uninitialized))
-defines  := -DQM_VERSION='"$(version)"' -DVALIJSON_USE_EXCEPTIONS=1 -DJSON_DIAGNOSTICS=1
+defines  := -DQM_VERSION='"$(version)"' -DVALIJSON_USE_EXCEPTIONS=1
 # Boost.Graph warns about deprecated headers of its own.
 defines  += -DBOOST_ALLOW_DEPRECATED_HEADERS
 
@@ -453,7 +453,7 @@ Name: quadmesh
 Description: From quad meshes to layouts of four-sided patches and B-spline surfaces
 Version: $(version)
 Requires: $(filter-out CLI11,$(packages))
-Cflags: -I$${includedir} -I$${includedir}/quadmesh -DVALIJSON_USE_EXCEPTIONS=1 -DJSON_DIAGNOSTICS=1
+Cflags: -I$${includedir} -I$${includedir}/quadmesh -DVALIJSON_USE_EXCEPTIONS=1
 Libs: -Wl,--as-needed -L$${libdir} -lquadmesh $(opencascade:%=-l%) -pthread
 endef
 

@@ -78,9 +78,7 @@ std::string printDocument(Document document) {
 
     auto& members = document.root.get_ref<Json::object_t&>();
     Json::object_t ordered;
-    const auto move = [&ordered](auto& member) { // spares the search for the key
-        ordered.Json::object_t::Container::emplace_back(member.first, std::move(member.second));
-    };
+    const auto move = [&ordered](auto& member) { ordered.append(member.first, std::move(member.second)); };
     for (const std::string& key : keys)
         if (const auto member = members.find(key); member != members.end()) move(*member);
     for (auto& member : members)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/json/json_fwd.h"
+#include "document/json/members.h"
 
 #include <nlohmann/json.hpp>
 

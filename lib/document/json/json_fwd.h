@@ -5,7 +5,9 @@
 
 namespace qm {
 
+template <class Key, class Value, class Compare, class Allocator> class Members;
+
 /// Keeps the order of keys.
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::basic_json<Members>;
 
 } // namespace qm

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
+#include <span>
 #include <string_view>
 #include <unordered_set>
 
@@ -38,68 +40,84 @@ public:
     bool parse_error(std::size_t position, const std::string& token,
                      const nlohmann::json::exception& exception);
 
-    Json result;
+    Json result() { return std::move(values_.front()); }
+
     std::string problem;
     std::size_t position = 0; ///< byte position of the problem; 0 if only its pointer is known
     JsonPointer pointer;
 
 private:
+    /// An array or object that is not complete.
     struct Level {
         bool isObject = false;
-        Json::array_t elements;
-        Json::object_t members;
-        std::string key;                       ///< key of the next member
-        std::unordered_set<std::string> known; ///< only for large objects
+        std::size_t firstValue = 0;
+        std::size_t firstKey = 0;
+        std::unordered_set<std::string> known{}; ///< keys; only for large objects
     };
 
     bool open(bool isObject) {
         if (levels_.size() >= maxDepth) return fail("nested more than " + std::to_string(maxDepth) + " deep");
-        levels_.emplace_back().isObject = isObject;
+        levels_.push_back({isObject, values_.size(), keys_.size()});
         return true;
     }
-    bool close() {
-        Level level = std::move(levels_.back());
-        levels_.pop_back();
-        return level.isObject ? put(std::move(level.members)) : put(std::move(level.elements));
-    }
+    bool close();
     template <class Value> bool put(Value&& value) {
-        if (levels_.empty()) {
-            result = std::forward<Value>(value);
-            return true;
-        }
-        Level& level = levels_.back();
-        if (level.isObject) // the base class's function does not search for the key
-            level.members.Json::object_t::Container::emplace_back(std::move(level.key),
-                                                                  std::forward<Value>(value));
-        else
-            level.elements.emplace_back(std::forward<Value>(value));
+        values_.emplace_back(std::forward<Value>(value));
         return true;
     }
-    bool fail(std::string what) {
-        problem = std::move(what);
-        for (const Level& level : levels_)
-            pointer /= level.isObject ? level.key : std::to_string(level.elements.size());
-        return false;
-    }
+    bool fail(std::string what);
 
     std::vector<Level> levels_;
+    std::vector<Json> values_; ///< of all levels, in the order of the text
+    std::vector<std::string> keys_;
 };
 
 bool Builder::key(string_t& key) {
     constexpr std::size_t small = 16;
     Level& level = levels_.back();
-    const auto sameKey = [&key](const auto& member) { return member.first == key; };
+    const std::span before = std::span(keys_).subspan(level.firstKey);
     bool isNew = true;
-    if (level.members.size() < small) {
-        isNew = std::ranges::none_of(level.members, sameKey);
+    if (before.size() < small) {
+        isNew = std::ranges::find(before, key) == before.end();
     } else {
-        if (level.known.empty())
-            for (const auto& member : level.members)
-                level.known.insert(member.first);
+        if (level.known.empty()) level.known.insert(before.begin(), before.end());
         isNew = level.known.insert(key).second;
     }
-    level.key = std::move(key);
+    keys_.push_back(std::move(key));
     return isNew || fail("this key occurs twice in one object");
+}
+
+bool Builder::close() {
+    const auto [isObject, firstValue, firstKey, known] = std::move(levels_.back());
+    levels_.pop_back();
+    const std::span values = std::span(values_).subspan(firstValue);
+    Json whole;
+    if (isObject) {
+        Json::object_t members;
+        members.reserve(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            members.append(std::move(keys_[firstKey + i]), std::move(values[i]));
+        keys_.resize(firstKey);
+        whole = std::move(members);
+    } else {
+        whole = Json::array_t(std::move_iterator(values.begin()), std::move_iterator(values.end()));
+    }
+    values_.resize(firstValue);
+    return put(std::move(whole));
+}
+
+bool Builder::fail(std::string what) {
+    problem = std::move(what);
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+        const bool isLast = i + 1 == levels_.size();
+        const std::size_t keys = isLast ? keys_.size() : levels_[i + 1].firstKey;
+        const std::size_t values = isLast ? values_.size() : levels_[i + 1].firstValue;
+        if (!levels_[i].isObject)
+            pointer /= values - levels_[i].firstValue;
+        else if (keys > levels_[i].firstKey)
+            pointer /= keys_[keys - 1];
+    }
+    return false;
 }
 
 /// The library's message, shortened, without its exception number and position.
@@ -139,7 +157,7 @@ Json parseJson(std::string_view text) {
         throw Error(builder.position > 0 ? lineAndColumn(text, builder.position)
                                          : builder.pointer.to_string().substr(0, 100),
                     builder.problem);
-    return std::move(builder.result);
+    return builder.result();
 }
 
 } // namespace qm

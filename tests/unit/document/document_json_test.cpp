@@ -72,6 +72,24 @@ TEST(ParseJson, TakesLinearTimeForManyKeys) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
+TEST(Members, AreNotCopiedWhenOthersAreAdded) {
+    Json object{{"list", {1, 2, 3}}};
+    const Json* const first = &object["list"][0];
+    for (int i = 0; i < 100; ++i)
+        object["key" + std::to_string(i)] = i;
+    EXPECT_EQ(&object["list"][0], first);
+}
+
+TEST(Members, KeepTheirOrderAndTheFirstValueOfAKey) {
+    Json object = Json::object();
+    for (const char* key : {"z", "a", "m", "a"})
+        object.emplace(key, object.size());
+    EXPECT_EQ(object.dump(), R"({"z":0,"a":1,"m":2})");
+    object["a"] = 5;
+    object.erase("z");
+    EXPECT_EQ(object.dump(), R"({"a":5,"m":2})");
+}
+
 TEST(MisspeltKeys, ResembleAKnownKeyThatIsMissing) {
     const Json root = parseJson(R"({"kind": "layout", "version": 1, "histroy": [], "Kind": 0, "": 0})");
     EXPECT_EQ(qm::misspeltKeys(root, "layout"),
@@ -81,7 +99,7 @@ TEST(MisspeltKeys, ResembleAKnownKeyThatIsMissing) {
 TEST(MisspeltKeys, TakeLinearTimeForManyKeys) {
     Json root = Json::object();
     for (int i = 0; i < 400'000; ++i) // in quadratic time, a quarter of an hour
-        root.get_ref<Json::object_t&>().emplace_back("foreign" + std::to_string(i), 0);
+        root.get_ref<Json::object_t&>().append("foreign" + std::to_string(i), 0);
     EXPECT_TRUE(qm::misspeltKeys(root, "layout").empty());
 }
 
