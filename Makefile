@@ -63,7 +63,9 @@ library_paths := $(shell pkg-config --cflags-only-I $(packages) 2>/dev/null | se
 # --as-needed: a tool depends on a library only if it calls it. OpenCASCADE is for qm-export alone.
 opencascade := TKSTEP TKSTEP209 TKSTEPAttr TKSTEPBase TKIGES TKXSBase TKShHealing TKTopAlgo TKGeomAlgo TKPrim \
                TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel
-libraries := -Wl,--as-needed $(shell pkg-config --libs $(packages) 2>/dev/null) $(opencascade:%=-l%) -pthread
+# Libraries of which pkg-config knows nothing.
+others    := amd $(opencascade)
+libraries := -Wl,--as-needed $(shell pkg-config --libs $(packages) 2>/dev/null) $(others:%=-l%) -pthread
 
 compile = $(CXX) -std=c++20 $(warnings) $(CXXFLAGS) $(defines) -Ilib -Itests $(library_paths) -pthread
 link    = $(CXX) $(CXXFLAGS) $(LDFLAGS)
@@ -454,7 +456,7 @@ Description: From quad meshes to layouts of four-sided patches and B-spline surf
 Version: $(version)
 Requires: $(filter-out CLI11,$(packages))
 Cflags: -I$${includedir} -I$${includedir}/quadmesh -DVALIJSON_USE_EXCEPTIONS=1
-Libs: -Wl,--as-needed -L$${libdir} -lquadmesh $(opencascade:%=-l%) -pthread
+Libs: -Wl,--as-needed -L$${libdir} -lquadmesh $(others:%=-l%) -pthread
 endef
 
 .PHONY: install

@@ -2,11 +2,12 @@
 
 #include "base/at.h"
 
-#include <Eigen/OrderingMethods>
+#include <suitesparse/amd.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <new>
+#include <stdexcept>
 
 namespace qm {
 namespace {
@@ -63,15 +64,16 @@ std::vector<int> postorder(const EliminationTree& tree) {
     return number;
 }
 
-/// Eigen's orderings sum up indices, and do not end where the sums become negative, so indices have 64 bits.
-/// They copy the values, too, and look at none of them, so those have 8.
 Permutation minDegreeOrder(const Eigen::SparseMatrix<double>& lower) {
-    using Index = std::int64_t;
-    const Eigen::SparseMatrix<std::int8_t, Eigen::ColMajor, Index> pattern =
-        lower.unaryExpr([](double) { return std::int8_t{1}; });
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> inverse;
-    Eigen::AMDOrdering<Index>()(pattern.selfadjointView<Eigen::Lower>(), inverse);
-    return Permutation(inverse.indices().cast<int>()).inverse();
+    Permutation order(lower.cols());
+    order.setIdentity();
+    if (lower.nonZeros() == 0) return order;
+    // Its entries are the columns in the order of elimination.
+    const int status = amd_order(static_cast<int>(lower.cols()), lower.outerIndexPtr(), lower.innerIndexPtr(),
+                                 order.indices().data(), nullptr, nullptr);
+    if (status == AMD_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (status == AMD_INVALID) throw std::invalid_argument("The matrix is not compressed");
+    return order.inverse();
 }
 
 } // namespace

@@ -21,7 +21,7 @@ struct EliminationTree {
 
 /// Finds an order that keeps the factor sparse (docs/METHOD.md#amestoy-2004) and in which every subtree is a
 /// range of columns that ends with its root.
-/// \param lower  the lower half of the matrix, row >= column
+/// \param lower  the lower half of the matrix, row >= column; compressed
 [[nodiscard]] EliminationTree eliminationTree(const Eigen::SparseMatrix<double>& lower);
 
 } // namespace qm

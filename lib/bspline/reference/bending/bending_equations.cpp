@@ -6,6 +6,8 @@
 
 #include <Eigen/LU>
 
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace qm {
@@ -13,66 +15,97 @@ namespace {
 
 using Values = Eigen::VectorXd; // three a vertex
 
-Eigen::Index row(int vertexOrCorner) {
-    return Eigen::Index{3} * vertexOrCorner;
+Eigen::Index row(std::size_t vertexOrCorner) {
+    return eigenIndex(3 * vertexOrCorner);
 }
 
-void add(const std::array<VertexId, 4>& vertices, const CornerTilts& what, Values& to) {
-    for (int corner = 0; corner < 4; ++corner)
-        to.segment<3>(row(vertices[at(corner)].idx())) += what.segment<3>(row(corner));
-}
+/// A corner of a quad.
+struct TermCorner {
+    std::size_t term;
+    std::size_t corner;
+};
 
-Values rightHandSide(const std::vector<BendingTerm>& terms, Eigen::Index size) {
-    Values sum = Values::Zero(size);
-    for (const BendingTerm& term : terms)
-        add(term.vertices(), term.right(), sum);
-    return sum;
-}
-
-/// \param products  scratch, by term
-Values product(const std::vector<BendingTerm>& terms, const Values& tilts, std::vector<CornerTilts>& products,
-               unsigned jobs) {
-    parallelForMany(terms.size(), jobs, [&](std::size_t k) {
-        CornerTilts ofTerm;
-        for (int corner = 0; corner < 4; ++corner)
-            ofTerm.segment<3>(row(corner)) = tilts.segment<3>(row(terms[k].vertices()[at(corner)].idx()));
-        products[k] = terms[k].matrix() * ofTerm;
-    });
-    Values sum = Values::Zero(tilts.size());
-    for (std::size_t k = 0; k < terms.size(); ++k)
-        add(terms[k].vertices(), products[k], sum);
-    return sum;
-}
-
-/// The inverse of every vertex's own equations; zero where there are none.
-class Preconditioner {
+/// The equations of all vertices, each of which sums up what its own corners contribute, on several threads.
+class Equations {
 public:
-    Preconditioner(const std::vector<BendingTerm>& terms, std::size_t vertices)
-        : inverse_(vertices, Eigen::Matrix3d::Zero()) {
-        constexpr double singular = 1e-12;
-        for (const BendingTerm& term : terms) {
-            const auto matrix = term.matrix();
-            for (int corner = 0; corner < 4; ++corner)
-                inverse_[at(term.vertices()[at(corner)])] += matrix.block<3, 3>(row(corner), row(corner));
-        }
-        for (Eigen::Matrix3d& block : inverse_) {
-            if (block(2, 2) == 0) block(2, 2) = 1; // no twist
-            // Slopes and twists have different units.
-            const double product = block.diagonal().prod();
-            const bool isRegular = product > 0 && block.determinant() > singular * product;
-            block = isRegular ? Eigen::Matrix3d(block.inverse()) : Eigen::Matrix3d::Zero();
-        }
+    Equations(const std::vector<BendingTerm>& terms, std::size_t vertices, unsigned jobs)
+        : terms_(terms), jobs_(jobs), firstCorner_(vertices + 1), corners_(4 * terms.size()),
+          products_(terms.size()), inverse_(vertices) {
+        for (const BendingTerm& term : terms)
+            for (const VertexId vertex : term.vertices())
+                ++firstCorner_[at(vertex) + 1];
+        std::partial_sum(firstCorner_.begin(), firstCorner_.end(), firstCorner_.begin());
+        std::vector<std::size_t> next(firstCorner_.begin(), firstCorner_.end() - 1);
+        for (std::size_t term = 0; term < terms.size(); ++term)
+            for (std::size_t corner = 0; corner < 4; ++corner)
+                corners_[next[at(terms[term].vertices()[corner])]++] = {term, corner};
+        parallelForMany(vertices, jobs_, [&](std::size_t vertex) { inverse_[vertex] = inverse(vertex); });
     }
 
-    [[nodiscard]] Values operator*(const Values& values) const {
-        Values result(values.size());
-        for (int vertex = 0; vertex < std::ssize(inverse_); ++vertex)
-            result.segment<3>(row(vertex)) = inverse_[at(vertex)] * values.segment<3>(row(vertex));
+    [[nodiscard]] Values rightHandSide() const {
+        return sums([&](const TermCorner& at) -> Eigen::Vector3d {
+            return terms_[at.term].right().segment<3>(row(at.corner));
+        });
+    }
+
+    /// The left-hand side.
+    [[nodiscard]] Values operator()(const Values& tilts) {
+        parallelForMany(terms_.size(), jobs_, [&](std::size_t term) {
+            CornerTilts ofTerm;
+            for (std::size_t corner = 0; corner < 4; ++corner)
+                ofTerm.segment<3>(row(corner)) = tilts.segment<3>(row(at(terms_[term].vertices()[corner])));
+            products_[term] = terms_[term].matrix() * ofTerm;
+        });
+        return sums([&](const TermCorner& at) -> Eigen::Vector3d {
+            return products_[at.term].segment<3>(row(at.corner));
+        });
+    }
+
+    /// What every vertex's own equations alone would ask for; zero where there are none.
+    [[nodiscard]] Values guess(const Values& right) const {
+        Values result(right.size());
+        parallelForMany(inverse_.size(), jobs_, [&](std::size_t vertex) {
+            result.segment<3>(row(vertex)) = inverse_[vertex] * right.segment<3>(row(vertex));
+        });
         return result;
     }
 
 private:
-    std::vector<Eigen::Matrix3d> inverse_;
+    [[nodiscard]] std::span<const TermCorner> cornersOf(std::size_t vertex) const {
+        return std::span(corners_).subspan(firstCorner_[vertex],
+                                           firstCorner_[vertex + 1] - firstCorner_[vertex]);
+    }
+
+    /// By vertex, of a vector of every corner.
+    template <class Summand> [[nodiscard]] Values sums(const Summand& summand) const {
+        Values result(row(inverse_.size()));
+        parallelForMany(inverse_.size(), jobs_, [&](std::size_t vertex) {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (const TermCorner& corner : cornersOf(vertex))
+                sum += summand(corner);
+            result.segment<3>(row(vertex)) = sum;
+        });
+        return result;
+    }
+
+    [[nodiscard]] Eigen::Matrix3d inverse(std::size_t vertex) const {
+        constexpr double singular = 1e-12;
+        Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+        for (const TermCorner& at : cornersOf(vertex))
+            block += terms_[at.term].matrix().block<3, 3>(row(at.corner), row(at.corner));
+        if (block(2, 2) == 0) block(2, 2) = 1; // no twist
+        // Slopes and twists have different units.
+        const double product = block.diagonal().prod();
+        const bool isRegular = product > 0 && block.determinant() > singular * product;
+        return isRegular ? Eigen::Matrix3d(block.inverse()) : Eigen::Matrix3d::Zero();
+    }
+
+    const std::vector<BendingTerm>& terms_;
+    unsigned jobs_;
+    std::vector<std::size_t> firstCorner_; ///< by vertex, in `corners_`
+    std::vector<TermCorner> corners_;      ///< vertex by vertex
+    std::vector<CornerTilts> products_;    ///< scratch, by term
+    std::vector<Eigen::Matrix3d> inverse_; ///< by vertex, of its own equations
 };
 
 } // namespace
@@ -98,25 +131,24 @@ std::vector<Eigen::Vector3d> minBendingTilts(const std::vector<BendingTerm>& ter
                                              unsigned jobs) {
     constexpr double accuracy = 1e-6;
     constexpr int maxRounds = 100; // ten times what real meshes take
-    const Preconditioner preconditioner(terms, vertices);
-    Values residual = rightHandSide(terms, eigenIndex(3 * vertices));
+    Equations equations(terms, vertices, jobs);
+    Values residual = equations.rightHandSide();
     Values tilts = Values::Zero(residual.size());
-    Values direction = preconditioner * residual;
+    Values direction = equations.guess(residual);
     double size = residual.dot(direction);
     const double enough = accuracy * accuracy * size;
-    std::vector<CornerTilts> products(terms.size());
     for (int k = 0; k < maxRounds && size > enough; ++k) {
-        const Values change = product(terms, direction, products, jobs);
+        const Values change = equations(direction);
         const double step = size / direction.dot(change);
         tilts += step * direction;
         residual -= step * change;
-        const Values towards = preconditioner * residual;
+        const Values towards = equations.guess(residual);
         const double before = std::exchange(size, residual.dot(towards));
         direction = towards + size / before * direction;
     }
     std::vector<Eigen::Vector3d> result;
     result.reserve(vertices);
-    for (int vertex = 0; vertex < static_cast<int>(vertices); ++vertex)
+    for (std::size_t vertex = 0; vertex < vertices; ++vertex)
         result.emplace_back(tilts.segment<3>(row(vertex)));
     return result;
 }
