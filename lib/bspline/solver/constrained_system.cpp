@@ -6,38 +6,84 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace qm {
 namespace {
 
-using Entries = std::vector<Eigen::Triplet<double>>;
+using Blocks = std::vector<Eigen::SparseMatrix<double>>;
 
-Eigen::VectorXd diagonalOf(Eigen::Index size, const Entries& entries) {
-    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(size);
-    for (const auto& entry : entries)
-        if (entry.row() == entry.col()) diagonal[entry.row()] += entry.value();
+/// The rows at which the blocks begin, and the number of all rows.
+std::vector<int> firstRows(const Blocks& blocks) {
+    std::vector<int> first{0};
+    for (const auto& block : blocks)
+        first.push_back(first.back() + static_cast<int>(block.rows()));
+    return first;
+}
+
+Eigen::VectorXd diagonalOf(const Blocks& blocks) {
+    const std::vector<int> first = firstRows(blocks);
+    Eigen::VectorXd diagonal(first.back());
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+        diagonal.segment(first[k], blocks[k].rows()) = blocks[k].diagonal();
     return diagonal;
 }
 
-/// Appends the equations as rows below those of the form. Rows and constants are scaled so that each row is
-/// of order one in the metric of the form's diagonal.
-void appendEquations(const std::vector<LinearForm>& equations, const Eigen::VectorXd& diagonal,
-                     Entries& entries, Eigen::MatrixX3d& constants) {
-    for (std::size_t row = 0; row < equations.size(); ++row) {
-        const LinearForm& form = equations[row];
-        const auto index = static_cast<Eigen::Index>(row);
-        const int place = static_cast<int>(diagonal.size() + index);
-        entries.emplace_back(place, place, 0.0);
-        double size = 0;
-        for (std::size_t k = 0; k < form.unknowns.size(); ++k)
-            size += form.weights[k] * form.weights[k] / diagonal[static_cast<Eigen::Index>(form.unknowns[k])];
-        if (!(size > 0)) continue;
-        for (std::size_t k = 0; k < form.unknowns.size(); ++k)
-            entries.emplace_back(place, static_cast<int>(form.unknowns[k]),
-                                 form.weights[k] / std::sqrt(size));
-        constants.row(index) /= std::sqrt(size);
+/// Scales an equation and its constants so that it is of order one in the metric of the form's diagonal.
+/// Nothing is left of an equation without weights.
+template <class Constants>
+LinearForm scaled(LinearForm equation, const Eigen::VectorXd& diagonal, Constants constants) {
+    double size = 0;
+    for (std::size_t k = 0; k < equation.unknowns.size(); ++k)
+        size += equation.weights[k] * equation.weights[k] /
+                diagonal[static_cast<Eigen::Index>(equation.unknowns[k])];
+    if (!(size > 0)) return {};
+    for (double& weight : equation.weights)
+        weight /= std::sqrt(size);
+    constants /= std::sqrt(size);
+    return equation;
+}
+
+/// The lower half of the whole matrix: the blocks, the equations as rows below them, and zeros on the rest of
+/// the diagonal.
+Eigen::SparseMatrix<double> lowerHalf(const Blocks& blocks, const std::vector<LinearForm>& equations,
+                                      unsigned jobs) {
+    const std::vector<int> first = firstRows(blocks);
+    const int unknowns = first.back();
+    const auto whole = unknowns + static_cast<int>(equations.size());
+    Eigen::SparseMatrix<double> lower(whole, whole);
+    const std::span begins(lower.outerIndexPtr(), at(whole) + 1);
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+        for (int column = 0; column < blocks[k].cols(); ++column)
+            begins[at(first[k] + column) + 1] =
+                blocks[k].outerIndexPtr()[column + 1] - blocks[k].outerIndexPtr()[column];
+    for (const LinearForm& equation : equations)
+        for (const std::size_t unknown : equation.unknowns)
+            ++begins[unknown + 1];
+    std::fill(begins.begin() + unknowns + 1, begins.end(), 1);
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    lower.resizeNonZeros(begins.back());
+
+    std::vector<int> next(begins.begin(), begins.end() - 1); // by column: the place of its next entry
+    const auto add = [&](int row, int column, double value) {
+        const int place = next[at(column)]++;
+        lower.innerIndexPtr()[place] = row;
+        lower.valuePtr()[place] = value;
+    };
+    parallelFor(blocks.size(), jobs, [&](std::size_t k) {
+        for (int column = 0; column < blocks[k].cols(); ++column)
+            for (Eigen::SparseMatrix<double>::InnerIterator it(blocks[k], column); it; ++it)
+                add(first[k] + static_cast<int>(it.row()), first[k] + column, it.value());
+    });
+    for (int row = unknowns; const LinearForm& equation : equations) {
+        for (std::size_t k = 0; k < equation.unknowns.size(); ++k)
+            add(row, static_cast<int>(equation.unknowns[k]), equation.weights[k]);
+        add(row, row, 0);
+        ++row;
     }
+    return lower;
 }
 
 /// Makes the matrix quasi-definite, so that any order of elimination works and equations may be redundant;
@@ -49,21 +95,21 @@ constexpr Eigen::Index worthThreads = 10000;
 
 } // namespace
 
-ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, Entries entries,
-                                     const std::vector<LinearForm>& equations,
+ConstrainedSystem::ConstrainedSystem(Blocks blocks, std::vector<LinearForm> equations,
                                      const Eigen::MatrixX3d& constants, unsigned jobs)
-    : unknowns_(static_cast<Eigen::Index>(unknowns)), constants_(constants) {
-    const auto count = static_cast<Eigen::Index>(equations.size());
-    if (constants_.rows() == 0) constants_.setZero(count, 3);
-    appendEquations(equations, diagonalOf(unknowns_, entries), entries, constants_);
-    const Eigen::Index whole = unknowns_ + count;
-    jobs_ = whole < worthThreads ? 1 : jobs;
-    Eigen::SparseMatrix<double> lower(whole, whole);
-    lower.setFromTriplets(entries.begin(), entries.end());
-    entries = Entries(); // gives the memory back
+    : constants_(constants) {
+    if (constants_.rows() == 0) constants_.setZero(static_cast<Eigen::Index>(equations.size()), 3);
+    const Eigen::VectorXd diagonal = diagonalOf(blocks);
+    unknowns_ = diagonal.size();
+    for (Eigen::Index row = 0; LinearForm & equation : equations)
+        equation = scaled(std::move(equation), diagonal, constants_.row(row++));
+    jobs_ = unknowns_ + constants_.rows() < worthThreads ? 1 : jobs;
+    Eigen::SparseMatrix<double> lower = lowerHalf(blocks, equations, jobs_);
+    blocks = {}; // gives the memory back
+    equations = {};
     matrix_ = lower.selfadjointView<Eigen::Lower>();
-    for (Eigen::Index k = unknowns_; k < whole; ++k)
-        lower.coeffRef(k, k) = -relaxation;
+    for (Eigen::Index k = unknowns_; k < lower.cols(); ++k)
+        lower.valuePtr()[lower.outerIndexPtr()[k]] = -relaxation;
     factors_.emplace(lower, jobs_);
 }
 

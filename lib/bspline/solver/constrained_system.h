@@ -24,13 +24,13 @@ enum class Accuracy {
 /// A system that is factorised once and solved for any number of right-hand sides.
 class ConstrainedSystem {
 public:
-    /// \param entries    of the symmetric positive definite matrix, row >= column; those at equal places are
-    /// added
-    /// \param equations  each form must equal its constant; equations may depend on one another
+    /// \param blocks     along the diagonal of the symmetric positive definite matrix: the lower half of each,
+    /// compressed
+    /// \param equations  each form must equal its constant, and names an unknown once; equations may depend on
+    /// one another
     /// \param constants  one row per equation; without rows they are zero
-    ConstrainedSystem(std::size_t unknowns, std::vector<Eigen::Triplet<double>> entries,
-                      const std::vector<LinearForm>& equations, const Eigen::MatrixX3d& constants,
-                      unsigned jobs);
+    ConstrainedSystem(std::vector<Eigen::SparseMatrix<double>> blocks, std::vector<LinearForm> equations,
+                      const Eigen::MatrixX3d& constants, unsigned jobs);
 
     /// Turns a solution into the minimiser of x'Hx / 2 - x'b under the equations, for each column of b.
     /// \param solution  the values to start from, including the multipliers of the equations; may be empty

@@ -285,11 +285,12 @@ TEST(Gram, IntegratesProductsOfSplinesExactly) {
     EXPECT_NEAR(energy(&GramPiece::bends, identity), 0, 1e-9);
 }
 
+/// A matrix that is diagonal.
+Eigen::SparseMatrix<double> diagonalMatrix(const Eigen::VectorXd& diagonal) {
+    return Eigen::SparseMatrix<double>(diagonal.asDiagonal());
+}
+
 TEST(ConstrainedSystem, KeepsEquationsThatSayTheSameTwice) {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(4);
-    for (int k = 0; k < 4; ++k)
-        entries.emplace_back(k, k, k + 1.0);
     LinearForm first;
     first.add(0, 1);
     first.add(1, -1);
@@ -299,7 +300,8 @@ TEST(ConstrainedSystem, KeepsEquationsThatSayTheSameTwice) {
     LinearForm third;
     third.add(1, 1);
     third.add(3, 1);
-    const ConstrainedSystem system(4, entries, {first, second, third}, {}, 1);
+    const ConstrainedSystem system({diagonalMatrix(Eigen::Vector4d(1, 2, 3, 4))}, {first, second, third}, {},
+                                   1);
     Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(4, 3);
     right.col(0) << 3, -1, 2, 5;
     Eigen::MatrixX3d x;
@@ -312,16 +314,15 @@ TEST(ConstrainedSystem, KeepsEquationsThatSayTheSameTwice) {
 }
 
 TEST(ConstrainedSystem, KeepsEquationsWithConstants) {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(3);
-    for (int k = 0; k < 3; ++k)
-        entries.emplace_back(k, k, 1);
     LinearForm sum;
     sum.add(0, 1);
     sum.add(1, 1);
     Eigen::MatrixX3d constants(1, 3);
     constants << 2, 0, -4;
-    const ConstrainedSystem system(3, entries, {sum}, constants, 1);
+    // Two blocks: the equation joins them.
+    const ConstrainedSystem system(
+        {diagonalMatrix(Eigen::VectorXd::Ones(1)), diagonalMatrix(Eigen::VectorXd::Ones(2))}, {sum},
+        constants, 1);
     Eigen::MatrixX3d x;
     system.improve(Eigen::MatrixX3d::Zero(3, 3), Accuracy::rounding, x);
     EXPECT_NEAR(x(0, 0), 1, 1e-14);

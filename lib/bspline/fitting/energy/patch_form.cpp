@@ -19,20 +19,24 @@ public:
         return entries_[((j * columns_ + i) * 4 + dj) * 7 + static_cast<std::size_t>(di + 3)];
     }
 
-    void addTo(std::size_t firstUnknown, std::vector<Eigen::Triplet<double>>& entries) {
+    /// The lower half.
+    [[nodiscard]] Eigen::SparseMatrix<double> matrix() {
         const std::size_t rows = entries_.size() / 28 / columns_;
         const auto columns = static_cast<std::ptrdiff_t>(columns_);
+        Eigen::SparseMatrix<double> lower(eigenIndex(rows * columns_), eigenIndex(rows * columns_));
+        lower.reserve(eigenIndex(entries_.size()));
         for (std::size_t j = 0; j < rows; ++j)
-            for (std::ptrdiff_t i = 0; i < columns; ++i)
+            for (std::ptrdiff_t i = 0; i < columns; ++i) {
+                const Eigen::Index column = eigenIndex(j * columns_) + i;
+                lower.startVec(column);
                 for (std::size_t dj = 0; dj < 4 && j + dj < rows; ++dj)
-                    for (std::ptrdiff_t di = dj == 0 ? 0 : -3; di <= 3; ++di) {
-                        if (i + di < 0 || i + di >= columns) continue;
-                        const auto column = static_cast<std::ptrdiff_t>(firstUnknown + j * columns_) + i;
-                        const auto row =
-                            static_cast<std::ptrdiff_t>(firstUnknown + (j + dj) * columns_) + i + di;
-                        entries.emplace_back(static_cast<int>(row), static_cast<int>(column),
-                                             at(static_cast<std::size_t>(i), j, di, dj));
-                    }
+                    for (std::ptrdiff_t di = dj == 0 ? 0 : -3; di <= 3; ++di)
+                        if (i + di >= 0 && i + di < columns)
+                            lower.insertBack(eigenIndex((j + dj) * columns_) + i + di, column) =
+                                at(static_cast<std::size_t>(i), j, di, dj);
+            }
+        lower.finalize();
+        return lower;
     }
 
 private:
@@ -84,8 +88,8 @@ void addRow(const BandMatrix& sums, const BasisValues& v, LocalForm& form) {
 
 } // namespace
 
-void addPatchForm(const PatchSpace& space, const PatchTargets& targets, const std::vector<ThinPlate>& plates,
-                  std::vector<Eigen::Triplet<double>>& entries) {
+Eigen::SparseMatrix<double> patchForm(const PatchSpace& space, const PatchTargets& targets,
+                                      const std::vector<ThinPlate>& plates) {
     LocalForm form(space.count(0), space.count(1));
     const auto basisU = basisTable(space.knots[0], 3, targets.parameters[0]);
     const auto basisV = basisTable(space.knots[1], 3, targets.parameters[1]);
@@ -98,7 +102,7 @@ void addPatchForm(const PatchSpace& space, const PatchTargets& targets, const st
     for (const GramPiece& v : vs)
         for (const GramPiece& u : us)
             addBending(u, v, plates[v.quad * columns + u.quad], form);
-    form.addTo(space.firstUnknown, entries);
+    return form.matrix();
 }
 
 void addPatchTargets(const PatchSpace& space, const PatchTargets& targets, Eigen::MatrixX3d& rightHandSide) {

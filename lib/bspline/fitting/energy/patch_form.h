@@ -22,10 +22,10 @@ struct PatchTargets {
     std::vector<double> weights; ///< factors of the squared distances
 };
 
-/// Adds the lower half of the form's matrix as (row, column, value) with row >= column.
+/// The lower half of the form's matrix, by control point.
 /// \param plates  by quad, row by row
-void addPatchForm(const PatchSpace& space, const PatchTargets& targets, const std::vector<ThinPlate>& plates,
-                  std::vector<Eigen::Triplet<double>>& entries);
+[[nodiscard]] Eigen::SparseMatrix<double> patchForm(const PatchSpace& space, const PatchTargets& targets,
+                                                    const std::vector<ThinPlate>& plates);
 
 /// Adds the form's right-hand side to the rows of the patch's unknowns.
 void addPatchTargets(const PatchSpace& space, const PatchTargets& targets, Eigen::MatrixX3d& rightHandSide);

@@ -16,10 +16,10 @@ namespace {
 /// three rows follow. Points alone would be pushed over the next row where rows are close together.
 constexpr double coupling = 3;
 
-/// The form by which changes are measured, row >= column, if the coordinates of every point are numbered one
-/// after the other.
-std::vector<Eigen::Triplet<double>>
-movement(std::size_t points, const std::vector<NeighbouringPoints>& neighbours, std::size_t coordinates) {
+/// The lower half of the form by which changes are measured, if the coordinates of every point are numbered
+/// one after the other.
+Eigen::SparseMatrix<double> movement(std::size_t points, const std::vector<NeighbouringPoints>& neighbours,
+                                     std::size_t coordinates) {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(coordinates * (points + 3 * neighbours.size()));
     const auto add = [&](std::size_t row, std::size_t column, double value) {
@@ -34,7 +34,9 @@ movement(std::size_t points, const std::vector<NeighbouringPoints>& neighbours, 
         add(other, other, coupling);
         add(std::max(one, other), std::min(one, other), -coupling);
     }
-    return entries;
+    Eigen::SparseMatrix<double> lower(eigenIndex(coordinates * points), eigenIndex(coordinates * points));
+    lower.setFromTriplets(entries.begin(), entries.end());
+    return lower;
 }
 
 constexpr std::size_t coordinates = 3;
@@ -63,7 +65,7 @@ LinearForm height(const PlaneDemand& demand) {
 MinChange::MinChange(std::size_t points, std::vector<LinearForm> equations,
                      std::vector<NeighbouringPoints> neighbours)
     : points_(points), equations_(std::move(equations)), neighbours_(std::move(neighbours)),
-      allowed_(points, movement(points, neighbours_, 1), equations_, {}, 1) {}
+      allowed_({movement(points, neighbours_, 1)}, equations_, {}, 1) {}
 
 Eigen::MatrixX3d MinChange::run(const std::vector<PlaneDemand>& demands,
                                 const Eigen::MatrixX3d& points) const {
@@ -76,8 +78,8 @@ Eigen::MatrixX3d MinChange::run(const std::vector<PlaneDemand>& demands,
     const Eigen::VectorXd missing = missingHeights(demands, points);
     Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(eigenIndex(forms.size()), 3);
     constants.col(0).tail(missing.size()) = missing; // the other columns are not needed
-    const ConstrainedSystem system(coordinates * points_, movement(points_, neighbours_, coordinates), forms,
-                                   constants, 1);
+    const ConstrainedSystem system({movement(points_, neighbours_, coordinates)}, std::move(forms), constants,
+                                   1);
     const Eigen::Index all = eigenIndex(coordinates * points_);
     Eigen::MatrixX3d solution;
     system.improve(Eigen::MatrixX3d::Zero(all, 3), Accuracy::rounding, solution);
@@ -97,9 +99,7 @@ double MinChange::violation(const Eigen::MatrixX3d& change) const {
 
 /// The change that is nearest to the given one among those that the equations allow.
 Eigen::MatrixX3d MinChange::allowed(const Eigen::MatrixX3d& change) const {
-    const auto entries = movement(points_, neighbours_, 1);
-    Eigen::SparseMatrix<double> form(eigenIndex(points_), eigenIndex(points_));
-    form.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SparseMatrix<double> form = movement(points_, neighbours_, 1);
     Eigen::MatrixX3d solution;
     allowed_.improve(form.selfadjointView<Eigen::Lower>() * change, Accuracy::rounding, solution);
     return solution.topRows(eigenIndex(points_));

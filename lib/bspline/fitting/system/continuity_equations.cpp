@@ -36,6 +36,8 @@ FreeUnknowns::FreeUnknowns(const std::vector<PatchSpace>& spaces, const std::vec
 
 LinearForm FreeUnknowns::among(const LinearForm& form) const {
     LinearForm result;
+    result.unknowns.reserve(form.unknowns.size());
+    result.weights.reserve(form.unknowns.size());
     for (std::size_t k = 0; k < form.unknowns.size(); ++k) {
         if (!isFree(form.unknowns[k])) continue;
         result.unknowns.push_back(number(form.unknowns[k]));

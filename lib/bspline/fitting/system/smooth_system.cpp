@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <numeric>
 #include <utility>
 
 namespace qm {
@@ -66,22 +64,14 @@ SmoothSystem::SmoothSystem(const KnotPlan& plan, const std::vector<PatchSpace>& 
         for (const Point& point : lattices[k].reference)
             size_ = std::max(size_, point.max_abs());
     }
-    using Entries = std::vector<Eigen::Triplet<double>>;
-    std::vector<Entries> entries(free_.size());
+    std::vector<Eigen::SparseMatrix<double>> forms(free_.size());
     parallelFor(free_.size(), jobs, [&](std::size_t k) {
-        addPatchForm(spaces_[k], lattices[free_[k]].targets, plates[free_[k]], entries[k]);
+        forms[k] = patchForm(spaces_[k], lattices[free_[k]].targets, plates[free_[k]]);
     });
-    Entries all;
-    all.reserve(std::transform_reduce(entries.begin(), entries.end(), std::size_t{0}, std::plus(),
-                                      [](const Entries& ofPatch) { return ofPatch.size(); }));
-    for (auto& ofPatch : entries) {
-        all.insert(all.end(), ofPatch.begin(), ofPatch.end());
-        ofPatch = Entries(); // gives the memory back
-    }
-    const FreeEquations equations =
+    FreeEquations equations =
         freeEquations(continuityEquations(plan, spaces, isFree), unknowns, spaces, patches);
     unknowns_ = eigenIndex(unknowns.count());
-    system_.emplace(unknowns.count(), std::move(all), equations.forms, equations.constants, jobs);
+    system_.emplace(std::move(forms), std::move(equations.forms), equations.constants, jobs);
 }
 
 void SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accuracy,
