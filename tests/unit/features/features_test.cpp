@@ -406,7 +406,7 @@ TEST(Features, AgreeWithTheLetterOfTheMethod) {
             ASSERT_GT(*edges.begin(), lowestBefore);
             lowestBefore = *edges.begin();
             const auto run = std::ranges::find_if(
-                runs, [&](const ByTheLetter::Run& run) { return letter.isCurveOf(run, curve.halfedges); });
+                runs, [&](const ByTheLetter::Run& one) { return letter.isCurveOf(one, curve.halfedges); });
             ASSERT_NE(run, runs.end());
             if (edges.size() < run->edges.size()) ++divided;
             for (const int edge : edges)

@@ -20,7 +20,8 @@ PruningSearch::Found fewestWithoutTime(const QuadMesh& mesh, const std::vector<P
     const BaseComplex complex = buildBaseComplex(mesh, seeds);
     const PerEdge angles(mesh, 0), costs(mesh, 1);
     const Layout layout = buildLayout(mesh, tracks, angles, costs);
-    const PruneOptions options{.smooth = false};
+    PruneOptions options;
+    options.smooth = false;
     return PruningSearch({mesh, complex, angles, costs}, layout, options, {}).findFewest(0);
 }
 
