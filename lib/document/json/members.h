@@ -26,7 +26,7 @@ public:
     template <class AnyKey> Value& operator[](AnyKey&& key) {
         return emplace(std::forward<AnyKey>(key), Value{}).first->second;
     }
-    /// The same for a key that is known to be new: does not search for it.
+    /// Adds a member whose key is known to be new: does not search for it.
     void append(Key key, Value&& value) {
         makeRoom();
         Map::Container::emplace_back(std::move(key), std::move(value));

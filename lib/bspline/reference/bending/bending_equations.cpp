@@ -43,8 +43,8 @@ public:
     }
 
     [[nodiscard]] Values rightHandSide() const {
-        return sums([&](const TermCorner& at) -> Eigen::Vector3d {
-            return terms_[at.term].right().segment<3>(row(at.corner));
+        return sums([&](const TermCorner& place) -> Eigen::Vector3d {
+            return terms_[place.term].right().segment<3>(row(place.corner));
         });
     }
 
@@ -56,8 +56,8 @@ public:
                 ofTerm.segment<3>(row(corner)) = tilts.segment<3>(row(at(terms_[term].vertices()[corner])));
             products_[term] = terms_[term].matrix() * ofTerm;
         });
-        return sums([&](const TermCorner& at) -> Eigen::Vector3d {
-            return products_[at.term].segment<3>(row(at.corner));
+        return sums([&](const TermCorner& place) -> Eigen::Vector3d {
+            return products_[place.term].segment<3>(row(place.corner));
         });
     }
 
@@ -81,8 +81,8 @@ private:
         Values result(row(inverse_.size()));
         parallelForMany(inverse_.size(), jobs_, [&](std::size_t vertex) {
             Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-            for (const TermCorner& corner : cornersOf(vertex))
-                sum += summand(corner);
+            for (const TermCorner& place : cornersOf(vertex))
+                sum += summand(place);
             result.segment<3>(row(vertex)) = sum;
         });
         return result;
@@ -91,8 +91,8 @@ private:
     [[nodiscard]] Eigen::Matrix3d inverse(std::size_t vertex) const {
         constexpr double singular = 1e-12;
         Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
-        for (const TermCorner& at : cornersOf(vertex))
-            block += terms_[at.term].matrix().block<3, 3>(row(at.corner), row(at.corner));
+        for (const TermCorner& place : cornersOf(vertex))
+            block += terms_[place.term].matrix().block<3, 3>(row(place.corner), row(place.corner));
         if (block(2, 2) == 0) block(2, 2) = 1; // no twist
         // Slopes and twists have different units.
         const double product = block.diagonal().prod();
